@@ -1,0 +1,45 @@
+#pragma once
+#include "bvh_interface.h"
+#include <cstdint>
+#include <utility>
+
+namespace accel {
+
+// A tree that counts the rays that anybody sends into it, whoever traverses it.
+class CountingBVH : public BVHInterface {
+public:
+    explicit CountingBVH(BVHInterface& bvh)
+        : m_bvh(bvh)
+    {
+    }
+
+    bool intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const override
+    {
+        counter().rays += 1;
+        return m_bvh.intersect(state, ray, hitInfo);
+    }
+
+    [[nodiscard]] std::span<const Node> nodes() const override { return std::as_const(m_bvh).nodes(); }
+    [[nodiscard]] std::span<Node> nodes() override { return m_bvh.nodes(); }
+    [[nodiscard]] std::span<const Primitive> primitives() const override { return std::as_const(m_bvh).primitives(); }
+    [[nodiscard]] std::span<Primitive> primitives() override { return m_bvh.primitives(); }
+    [[nodiscard]] uint32_t numLevels() const override { return m_bvh.numLevels(); }
+    [[nodiscard]] uint32_t numLeaves() const override { return m_bvh.numLeaves(); }
+
+    // Of all threads, since the process began. Only while nobody traces.
+    [[nodiscard]] static uint64_t numRays();
+
+private:
+    // One a thread, so that counting neither waits nor shares a cache line; threads that end leave their count behind.
+    struct alignas(64) Counter {
+        Counter();
+        ~Counter();
+        uint64_t rays = 0;
+    };
+
+    static Counter& counter();
+
+    BVHInterface& m_bvh;
+};
+
+}

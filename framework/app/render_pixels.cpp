@@ -1,0 +1,24 @@
+#include "app/render_pixels.h"
+#include "recursive.h"
+#include "render.h"
+#include "screen.h"
+#include <tbb/parallel_for.h>
+
+namespace app {
+
+void renderPixels(const Scene& scene, const BVHInterface& bvh, const Features& features, const Trackball& camera,
+    Screen& screen, uint32_t seed)
+{
+    const glm::ivec2 resolution = screen.resolution();
+    const uint32_t seedOffset = seed * 0x9e3779b9u; // odd: distinct seeds stay distinct
+    tbb::parallel_for(0, resolution.y, [&](int y) {
+        for (int x = 0; x < resolution.x; ++x) {
+            const auto index = static_cast<uint32_t>(screen.indexAt(x, y));
+            RenderState state { scene, features, bvh, Sampler(seedOffset + index) };
+            const std::vector<Ray> rays = generatePixelRays(state, camera, { x, y }, resolution);
+            screen.setPixel(x, y, renderRays(state, rays));
+        }
+    });
+}
+
+}

@@ -1,0 +1,48 @@
+#pragma once
+#include "common.h"
+#include "fwd.h"
+#include <array>
+#include <cstdint>
+#include <span>
+#include <framework/ray.h>
+
+// A binary tree of boxes over the scene's triangles. Node 0 is the root.
+struct BVHInterface {
+    struct Primitive {
+        uint32_t meshID; // index into Scene::meshes
+        Vertex v0, v1, v2;
+
+        [[nodiscard]] constexpr bool operator==(const Primitive&) const noexcept = default;
+    };
+
+    // A node has two children, or it is a leaf with a range of primitives:
+    // - node: data = { index of the left child, index of the right child }
+    // - leaf: data = { LeafBit | offset of the first primitive, number of primitives }
+    struct Node {
+        static constexpr uint32_t LeafBit = 1u << 31;
+
+        AxisAlignedBox aabb;
+        std::array<uint32_t, 2> data;
+
+        [[nodiscard]] constexpr bool isLeaf() const { return (data[0] & LeafBit) == LeafBit; }
+        [[nodiscard]] constexpr uint32_t primitiveOffset() const { return data[0] & ~LeafBit; }
+        [[nodiscard]] constexpr uint32_t primitiveCount() const { return data[1]; }
+        [[nodiscard]] constexpr uint32_t leftChild() const { return data[0]; }
+        [[nodiscard]] constexpr uint32_t rightChild() const { return data[1]; }
+    };
+    static_assert(sizeof(Node) == 32, "two nodes share a cache line");
+
+    virtual ~BVHInterface() = default;
+
+    // Whether the ray meets a triangle or sphere at a distance in [0, ray.t]. If it does, ray.t is the closest such
+    // distance and hitInfo describes the hit; if not, both are as they were.
+    virtual bool intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const = 0;
+
+    [[nodiscard]] virtual std::span<const Node> nodes() const = 0;
+    [[nodiscard]] virtual std::span<Node> nodes() = 0;
+    [[nodiscard]] virtual std::span<const Primitive> primitives() const = 0;
+    [[nodiscard]] virtual std::span<Primitive> primitives() = 0;
+
+    [[nodiscard]] virtual uint32_t numLevels() const = 0;
+    [[nodiscard]] virtual uint32_t numLeaves() const = 0;
+};

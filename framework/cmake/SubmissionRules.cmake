@@ -1,0 +1,31 @@
+# Writes rules.ninja: how a submission's files are compiled, and linked with a worker, while the teacher's machine grades
+# or a student renders. Wants the targets framework, worker, probes and reference.
+set(includes $<TARGET_PROPERTY:raywork_interface,INTERFACE_INCLUDE_DIRECTORIES>)
+set(definitions $<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_DEFINITIONS>)
+
+set(worker_objects "$<JOIN:$<TARGET_OBJECTS:worker>, > $<JOIN:$<TARGET_OBJECTS:probes>, >")
+set(rests "rest_whole = $worker $libraries\n")
+foreach(feature IN LISTS FEATURES)
+    set(others $<FILTER:$<TARGET_OBJECTS:reference>,EXCLUDE,/${feature}\\.cpp\\.o$>)
+    string(APPEND rests "rest_${feature} = $worker $<JOIN:${others}, > $libraries\n")
+endforeach()
+
+file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rules.ninja CONTENT "\
+# Written by CMake.
+cxx = ${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER}
+flags = -std=c++20 -w -Wmissing-declarations $<$<CONFIG:Release>:-O3 -DNDEBUG> \
+-I$<JOIN:${includes}, -I> -D$<JOIN:${definitions}, -D> \
+$<JOIN:$<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_OPTIONS>, >
+worker = ${worker_objects}
+libraries = $<TARGET_FILE:framework> $<TARGET_FILE:TBB::tbb> $<TARGET_FILE:fmt::fmt> \
+$<TARGET_FILE:tinyobjloader::tinyobjloader> \
+$<JOIN:$<TARGET_PROPERTY:PkgConfig::stb,INTERFACE_LINK_LIBRARIES>, > \
+$<JOIN:$<TARGET_PROPERTY:PkgConfig::tomlplusplus,INTERFACE_LINK_LIBRARIES>, > -pthread
+build archives: phony ${worker_objects} $<JOIN:$<TARGET_OBJECTS:reference>, > $<TARGET_FILE:framework>
+${rests}
+rule compile
+  command = rm -f $out; timeout 60 $cxx $flags -MD -MF $out.d -c $in -o $out 2> $out.log
+  depfile = $out.d
+rule link
+  command = rm -f $out; timeout 60 $cxx -o $out $in $rest 2> $out.log
+")

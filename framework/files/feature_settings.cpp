@@ -1,0 +1,132 @@
+#include "files/feature_settings.h"
+#include <array>
+#include <charconv>
+#include <framework/variant_helper.h>
+#include <stdexcept>
+
+namespace files {
+namespace {
+
+    constexpr int64_t maxSamples = 1 << 20;
+
+    using Member = std::variant<bool Features::*, uint32_t Features::*, ShadingModel Features::*, bool ExtraFeatures::*,
+        uint32_t ExtraFeatures::*>;
+
+    struct Setting {
+        std::string_view name;
+        Member member;
+    };
+
+    constexpr auto settings = std::to_array<Setting>({
+        { "shading", &Features::enableShading },
+        { "reflections", &Features::enableReflections },
+        { "shadows", &Features::enableShadows },
+        { "normal_interp", &Features::enableNormalInterp },
+        { "texture_mapping", &Features::enableTextureMapping },
+        { "accel_structure", &Features::enableAccelStructure },
+        { "bilinear_filtering", &Features::enableBilinearTextureFiltering },
+        { "transparency", &Features::enableTransparency },
+        { "jittered_sampling", &Features::enableJitteredSampling },
+        { "debug_draw", &Features::enableDebugDraw },
+        { "shading_model", &Features::shadingModel },
+        { "pixel_samples", &Features::numPixelSamples },
+        { "shadow_samples", &Features::numShadowSamples },
+        { "bvh_sah_binning", &ExtraFeatures::enableBvhSahBinning },
+        { "bloom", &ExtraFeatures::enableBloomEffect },
+        { "depth_of_field", &ExtraFeatures::enableDepthOfField },
+        { "environment_map", &ExtraFeatures::enableEnvironmentMap },
+        { "glossy_reflection", &ExtraFeatures::enableGlossyReflection },
+        { "mipmap_filtering", &ExtraFeatures::enableMipmapTextureFiltering },
+        { "motion_blur", &ExtraFeatures::enableMotionBlur },
+        { "glossy_samples", &ExtraFeatures::numGlossySamples },
+    });
+
+    constexpr std::array<std::string_view, 5> shadingModels { // in the order of ShadingModel
+        "lambertian", "phong", "blinn_phong", "linear_gradient", "linear_gradient_comparison"
+    };
+
+    template <typename Names> std::string listed(const Names& names)
+    {
+        std::string list;
+        for (const auto& name : names)
+            list.append(list.empty() ? "" : ", ").append(name);
+        return list;
+    }
+
+    std::string shown(const FeatureValue& value)
+    {
+        return std::visit(
+            make_visitor([](bool b) { return std::string(b ? "true" : "false"); },
+                [](int64_t i) { return std::to_string(i); }, [](const std::string& s) { return '"' + s + '"'; }),
+            value);
+    }
+
+    [[noreturn]] void refuse(std::string_view name, const FeatureValue& value, const std::string& expected)
+    {
+        throw std::invalid_argument(std::string(name) + ": found " + shown(value) + ", expected " + expected);
+    }
+
+    void assign(bool& target, std::string_view name, const FeatureValue& value)
+    {
+        const bool* found = std::get_if<bool>(&value);
+        if (found == nullptr)
+            refuse(name, value, "true or false");
+        target = *found;
+    }
+
+    void assign(uint32_t& target, std::string_view name, const FeatureValue& value)
+    {
+        const int64_t* found = std::get_if<int64_t>(&value);
+        if (found == nullptr || *found < 1 || *found > maxSamples)
+            refuse(name, value, "a count from 1 to " + std::to_string(maxSamples));
+        target = static_cast<uint32_t>(*found);
+    }
+
+    void assign(ShadingModel& target, std::string_view name, const FeatureValue& value)
+    {
+        const std::string* found = std::get_if<std::string>(&value);
+        const auto model = found ? std::ranges::find(shadingModels, *found) : shadingModels.end();
+        if (model == shadingModels.end())
+            refuse(name, value, "one of " + listed(shadingModels));
+        target = static_cast<ShadingModel>(model - shadingModels.begin());
+    }
+
+    // As a scene file would read it, with no quotes around strings.
+    FeatureValue parse(std::string_view text)
+    {
+        if (text == "true" || text == "false")
+            return text == "true";
+        int64_t number = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error == std::errc {} && end == text.data() + text.size())
+            return number;
+        return std::string(text);
+    }
+
+}
+
+std::vector<std::string> featureNames()
+{
+    std::vector<std::string> names;
+    for (const Setting& setting : settings)
+        names.emplace_back(setting.name);
+    return names;
+}
+
+void setFeatureValue(Features& features, std::string_view name, const FeatureValue& value)
+{
+    const auto setting = std::ranges::find(settings, name, &Setting::name);
+    if (setting == settings.end())
+        throw std::invalid_argument(
+            "found the unknown feature \"" + std::string(name) + "\", expected one of " + listed(featureNames()));
+    const auto set = make_visitor([&](auto Features::*member) { assign(features.*member, name, value); },
+        [&](auto ExtraFeatures::*member) { assign(features.extra.*member, name, value); });
+    std::visit(set, setting->member);
+}
+
+void setFeature(Features& features, std::string_view name, std::string_view value)
+{
+    setFeatureValue(features, name, parse(value));
+}
+
+}

@@ -1,0 +1,21 @@
+#pragma once
+#include "common.h"
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace files {
+
+// The settings of Features by the names that scene files and `render --set` use, such as "normal_interp".
+[[nodiscard]] std::vector<std::string> featureNames();
+
+// Sets one: a switch takes a bool, a count an integer, the shading model a name. Throws std::invalid_argument, whose
+// text says what was found and what was expected.
+using FeatureValue = std::variant<bool, int64_t, std::string>;
+void setFeatureValue(Features& features, std::string_view name, const FeatureValue& value);
+
+// Sets one from text: true or false, a count, or the name of a shading model.
+void setFeature(Features& features, std::string_view name, std::string_view value);
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+#include "scene.h"
+#include <filesystem>
+#include <map>
+
+namespace files {
+
+// Loads pictures into a scene, each file once however often it is named.
+class Textures {
+public:
+    explicit Textures(Scene& scene)
+        : m_scene(scene)
+    {
+    }
+
+    // The picture as the scene owns it. Throws Error.
+    [[nodiscard]] const Image* load(const std::filesystem::path& path);
+
+private:
+    Scene& m_scene;
+    std::map<std::filesystem::path, const Image*> m_loaded;
+};
+
+}

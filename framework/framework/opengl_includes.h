@@ -1,0 +1,2 @@
+#pragma once
+// Course files include this name. Nothing that traces rays needs a window, so there is nothing to declare.

@@ -1,0 +1,22 @@
+#pragma once
+
+struct AxisAlignedBox;
+struct BVH;
+struct BVHInterface;
+struct Features;
+struct HitInfo;
+struct Image;
+struct Material;
+struct Mesh;
+struct ParallelogramLight;
+struct Plane;
+struct PointLight;
+struct Ray;
+struct RenderState;
+struct Scene;
+struct SegmentLight;
+struct Sphere;
+struct Vertex;
+class Sampler;
+class Screen;
+class Trackball;

@@ -1,0 +1,36 @@
+#pragma once
+#include "common.h"
+#include "fwd.h"
+#include "render.h"
+
+// In all functions ray.origin + ray.t * ray.direction is the shaded point and hitInfo its surface.
+
+// To implement: the point of the light at a fraction sample in [0, 1) from endpoint0, and its colour.
+void sampleSegmentLight(const float& sample, const SegmentLight& light, glm::vec3& position, glm::vec3& color);
+
+// To implement: the point v0 + sample.x * edge01 + sample.y * edge02, sample in [0, 1)^2, and its colour.
+void sampleParallelogramLight(
+    const glm::vec2& sample, const ParallelogramLight& light, glm::vec3& position, glm::vec3& color);
+
+// To implement: whether nothing lies between the shaded point and the light.
+[[nodiscard]] bool visibilityOfLightSampleBinary(RenderState& state, const glm::vec3& lightPosition,
+    const glm::vec3& lightColor, const Ray& ray, const HitInfo& hitInfo);
+
+// To implement: the light that is left of lightColor when each surface in between multiplies it by kd * (1 - alpha).
+[[nodiscard]] glm::vec3 visibilityOfLightSampleTransparency(RenderState& state, const glm::vec3& lightPosition,
+    const glm::vec3& lightColor, const Ray& ray, const HitInfo& hitInfo);
+
+// Provided: lightColor with shadows off; one of the two above with shadows on.
+[[nodiscard]] glm::vec3 visibilityOfLightSample(RenderState& state, const glm::vec3& lightPosition,
+    const glm::vec3& lightColor, const Ray& ray, const HitInfo& hitInfo);
+
+// To implement: the shading of what is visible of the light; an area light's is the mean over numSamples samples.
+[[nodiscard]] glm::vec3 computeContributionPointLight(
+    RenderState& state, const PointLight& light, const Ray& ray, const HitInfo& hitInfo);
+[[nodiscard]] glm::vec3 computeContributionSegmentLight(
+    RenderState& state, const SegmentLight& light, const Ray& ray, const HitInfo& hitInfo, uint32_t numSamples);
+[[nodiscard]] glm::vec3 computeContributionParallelogramLight(
+    RenderState& state, const ParallelogramLight& light, const Ray& ray, const HitInfo& hitInfo, uint32_t numSamples);
+
+// Provided: the sum over all lights of the scene.
+[[nodiscard]] glm::vec3 computeLightContribution(RenderState& state, const Ray& ray, const HitInfo& hitInfo);

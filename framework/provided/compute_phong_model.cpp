@@ -1,0 +1,12 @@
+#include "shading.h"
+
+glm::vec3 computePhongModel(RenderState&, const glm::vec3& cameraDirection, const glm::vec3& lightDirection,
+    const glm::vec3& lightColor, const HitInfo& hitInfo, const glm::vec3& kd)
+{
+    const float cosine = glm::dot(hitInfo.normal, lightDirection);
+    if (cosine <= 0.0f)
+        return glm::vec3(0.0f);
+    const glm::vec3 mirrored = 2.0f * cosine * hitInfo.normal - lightDirection;
+    const float lobe = std::pow(std::max(glm::dot(mirrored, cameraDirection), 0.0f), hitInfo.material.shininess);
+    return lightColor * (kd * cosine + hitInfo.material.ks * lobe);
+}

@@ -1,0 +1,44 @@
+#include "shading.h"
+
+namespace {
+
+// From magenta behind the surface over blue and green to yellow facing the light: every step can be told apart.
+const LinearGradient gradient { .components = {
+                                    { -1.0f, { 0.8f, 0.1f, 0.6f } },
+                                    { -0.3f, { 0.2f, 0.1f, 0.5f } },
+                                    { 0.0f, { 0.1f, 0.3f, 0.8f } },
+                                    { 0.5f, { 0.1f, 0.7f, 0.4f } },
+                                    { 1.0f, { 1.0f, 0.9f, 0.3f } },
+                                } };
+
+// Red where Phong is brighter, blue where Blinn-Phong is, white where neither.
+const LinearGradient comparison { .components = {
+                                      { -1.0f, { 0.9f, 0.1f, 0.1f } },
+                                      { 0.0f, { 1.0f, 1.0f, 1.0f } },
+                                      { 1.0f, { 0.1f, 0.1f, 0.9f } },
+                                  } };
+
+}
+
+glm::vec3 computeShading(RenderState& state, const glm::vec3& cameraDirection, const glm::vec3& lightDirection,
+    const glm::vec3& lightColor, const HitInfo& hitInfo)
+{
+    if (!state.features.enableShading)
+        return lightColor * sampleMaterialKd(state, hitInfo);
+
+    const auto kd = [&] { return sampleMaterialKd(state, hitInfo); }; // no texture is looked up for nothing
+    switch (state.features.shadingModel) {
+    case ShadingModel::Lambertian:
+        return computeLambertianModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd());
+    case ShadingModel::Phong:
+        return computePhongModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd());
+    case ShadingModel::BlinnPhong:
+        return computeBlinnPhongModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd());
+    case ShadingModel::LinearGradient:
+        return computeLinearGradientModel(state, cameraDirection, lightDirection, lightColor, hitInfo, gradient);
+    case ShadingModel::LinearGradientComparison:
+        return computeLinearGradientModelComparison(
+            state, cameraDirection, lightDirection, lightColor, hitInfo, comparison);
+    }
+    return glm::vec3(0.0f);
+}

@@ -1,0 +1,8 @@
+#include "debug/recording.h"
+#include "draw.h"
+
+void drawAABB(const AxisAlignedBox& box, DrawMode drawMode, const glm::vec3& color, float transparency)
+{
+    if (debug::Recording::isOpen())
+        debug::Recording::add(debug::DrawnBox { box, drawMode, color, transparency });
+}

@@ -1,0 +1,8 @@
+#include "shading.h"
+
+glm::vec3 computeBlinnPhongModel(RenderState& state, const glm::vec3& cameraDirection, const glm::vec3& lightDirection,
+    const glm::vec3& lightColor, const HitInfo& hitInfo)
+{
+    return computeBlinnPhongModel(
+        state, cameraDirection, lightDirection, lightColor, hitInfo, sampleMaterialKd(state, hitInfo));
+}

@@ -1,0 +1,6 @@
+#include "extra.h"
+
+glm::vec3 sampleEnvironmentMap(RenderState&, Ray)
+{
+    return glm::vec3(0.0f);
+}

@@ -1,0 +1,33 @@
+#include "accel/traversal.h"
+#include "bvh.h"
+#include "intersect.h"
+
+namespace {
+
+void fillHit(const RenderState& state, const BVHInterface::Primitive& primitive, const accel::TriangleHit& hit,
+    const Ray& ray, HitInfo& hitInfo)
+{
+    const auto& [meshID, v0, v1, v2] = primitive;
+    const glm::vec3 bc = hit.barycentric / (hit.barycentric.x + hit.barycentric.y + hit.barycentric.z);
+    hitInfo.material = state.scene.meshes[meshID].material;
+    hitInfo.barycentricCoord = bc;
+    hitInfo.texCoord = bc.x * v0.texCoord + bc.y * v1.texCoord + bc.z * v2.texCoord;
+    hitInfo.normal = glm::normalize(
+        state.features.enableNormalInterp ? bc.x * v0.normal + bc.y * v1.normal + bc.z * v2.normal : hit.normal);
+    if (glm::dot(hitInfo.normal, ray.direction) > 0.0f)
+        hitInfo.normal = -hitInfo.normal;
+}
+
+}
+
+bool intersectRayWithBVH(RenderState& state, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
+{
+    accel::TriangleHit hit;
+    const BVHInterface::Primitive* primitive = accel::findClosest(bvh, ray, hit);
+    if (primitive)
+        fillHit(state, *primitive, hit, ray, hitInfo);
+    bool hitSphere = false;
+    for (const Sphere& sphere : state.scene.spheres)
+        hitSphere |= intersectRayWithShape(sphere, ray, hitInfo);
+    return primitive || hitSphere;
+}

@@ -1,0 +1,30 @@
+#include "bvh_interface.h"
+#include "draw.h"
+#include "extra.h"
+#include "light.h"
+#include "recursive.h"
+
+glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)
+{
+    constexpr int maxDepth = 6;
+
+    HitInfo hitInfo;
+    if (!state.bvh.intersect(state, ray, hitInfo)) {
+        drawRay(ray, glm::vec3(1.0f, 0.0f, 0.0f));
+        return sampleEnvironmentMap(state, ray);
+    }
+    drawRay(ray);
+
+    glm::vec3 color = computeLightContribution(state, ray, hitInfo);
+    if (rayDepth >= maxDepth)
+        return color;
+    if (state.features.enableReflections && hitInfo.material.ks != glm::vec3(0.0f)) {
+        if (state.features.extra.enableGlossyReflection)
+            renderRayGlossyComponent(state, ray, hitInfo, color, rayDepth);
+        else
+            renderRaySpecularComponent(state, ray, hitInfo, color, rayDepth);
+    }
+    if (state.features.enableTransparency && hitInfo.material.transparency != 1.0f)
+        renderRayTransparentComponent(state, ray, hitInfo, color, rayDepth);
+    return color;
+}

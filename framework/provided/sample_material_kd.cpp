@@ -1,0 +1,11 @@
+#include "shading.h"
+#include "texture.h"
+
+glm::vec3 sampleMaterialKd(RenderState& state, const HitInfo& hitInfo)
+{
+    const Image* texture = hitInfo.material.kdTexture;
+    if (!state.features.enableTextureMapping || !texture)
+        return hitInfo.material.kd;
+    return state.features.enableBilinearTextureFiltering ? sampleTextureBilinear(*texture, hitInfo.texCoord)
+                                                         : sampleTextureNearest(*texture, hitInfo.texCoord);
+}

@@ -1,0 +1,37 @@
+#pragma once
+#include "common.h"
+#include "fwd.h"
+#include "sampler.h"
+#include <span>
+#include <vector>
+#include <framework/ray.h>
+
+// What every function of the renderer can look at, and the random numbers of one pixel.
+struct RenderState {
+    const Scene& scene;
+    const Features& features;
+    const BVHInterface& bvh;
+
+    Sampler sampler;
+};
+
+// Provided: renders all pixels, on all cores, with the same result for any number of threads.
+void renderImage(const Scene& scene, const BVHInterface& bvh, const Features& features, const Trackball& camera, Screen& screen);
+
+// Provided: the camera rays of a pixel, by the sampling that the features select; one sample goes through the centre.
+[[nodiscard]] std::vector<Ray> generatePixelRays(
+    RenderState& state, const Trackball& camera, glm::ivec2 pixel, glm::ivec2 screenResolution);
+
+// To implement: features.numPixelSamples camera rays, each through an independent uniform point of
+// [x, x+1) x [y, y+1) of the resolution.
+[[nodiscard]] std::vector<Ray> generatePixelRaysUniform(
+    RenderState& state, const Trackball& camera, glm::ivec2 pixel, glm::ivec2 screenResolution);
+
+// To implement: n x n camera rays, n = round(sqrt(features.numPixelSamples)), each through a uniform point of its own
+// cell of the pixel's n x n grid.
+[[nodiscard]] std::vector<Ray> generatePixelRaysStratified(
+    RenderState& state, const Trackball& camera, glm::ivec2 pixel, glm::ivec2 screenResolution);
+
+// The name of generatePixelRaysUniform in the 2023-24 edition.
+[[nodiscard]] std::vector<Ray> generatePixelRaysMultisampled(
+    RenderState& state, const Trackball& camera, glm::ivec2 pixel, glm::ivec2 screenResolution);

@@ -1,0 +1,23 @@
+#pragma once
+#include <map>
+#include <string>
+
+namespace submission {
+
+// How far a file of a submission got.
+enum class State {
+    Missing, // no such file: stubs stand in
+    Taken,
+    Built,
+    Refused, // not a plain file, does not compile, or does not link
+};
+
+struct Part {
+    State state = State::Missing;
+    std::string message; // why it was refused: a compiler's or linker's words
+};
+
+// By file name without ".cpp": a feature, or an extension such as "extra/bloom".
+using Parts = std::map<std::string, Part>;
+
+}

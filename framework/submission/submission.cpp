@@ -1,0 +1,142 @@
+#include "submission/submission.h"
+#include "submission/paths.h"
+#include "submission/sources.h"
+#include <fmt/format.h>
+#include <sstream>
+#include <stdexcept>
+
+namespace submission {
+namespace {
+
+    namespace fs = std::filesystem;
+
+    constexpr int maxMessageLines = 12;
+    const std::string wholeProgram = "worker";
+
+    // A folder of its own for each folder of a submission.
+    fs::path workFolder(const fs::path& directory)
+    {
+        const std::string path = fs::weakly_canonical(directory).string();
+        const std::string name = fmt::format("{}-{:016x}", fs::path(path).filename().string(), std::hash<std::string> {}(path));
+        const fs::path folder = fs::path(buildDirectory) / "submissions" / name;
+        fs::create_directories(folder);
+        return folder;
+    }
+
+    std::string objectOf(const std::string& name)
+    {
+        return "obj/" + name + ".o";
+    }
+
+    // The lines of a compiler's or linker's output that say what is wrong, from the first that is no warning.
+    std::string errorsOf(const std::string& log)
+    {
+        std::istringstream lines(log);
+        std::string errors;
+        int count = 0;
+        for (std::string line; std::getline(lines, line) && count < maxMessageLines;) {
+            if (count == 0 && line.find("error") == std::string::npos && line.find("undefined") == std::string::npos
+                && line.find("multiple definition") == std::string::npos)
+                continue;
+            errors += line + "\n";
+            ++count;
+        }
+        return errors.empty() ? log.substr(0, 500) : errors;
+    }
+
+}
+
+Submission::Submission(const fs::path& directory)
+    : m_work(workFolder(directory))
+    , m_parts(takeSources(directory, m_work))
+    , m_ninja(m_work)
+{
+    for (const auto& [name, part] : m_parts)
+        if (part.state == State::Taken)
+            m_ninja.addCompile(objectOf(name), name + ".cpp");
+}
+
+void Submission::buildFeatureWorkers(const std::vector<std::string>& features)
+{
+    std::vector<std::string> wanted;
+    for (const std::string& feature : features) {
+        const State state = m_parts.at(feature).state;
+        if (state == State::Refused)
+            continue;
+        const std::vector<std::string> own = state == State::Missing ? std::vector<std::string> {}
+                                                                     : std::vector { objectOf(feature) };
+        m_programs[feature] = "worker-" + feature;
+        m_ninja.addLink(m_programs[feature], own, "rest_" + feature);
+        wanted.push_back(m_programs[feature]);
+    }
+    m_ninja.build(wanted);
+    for (const auto& [feature, program] : m_programs) {
+        noteCompiled(feature);
+        if (m_parts.at(feature).state != State::Refused && !m_ninja.succeeded(program))
+            linkWithOthers(feature);
+    }
+}
+
+// A file may use functions of the submission's other files. Then it is tried together with all of them.
+void Submission::linkWithOthers(const std::string& feature)
+{
+    const std::string alone = m_programs.at(feature);
+    compileAll();
+    m_programs[feature] = alone + "-and-others";
+    m_ninja.addLink(m_programs[feature], builtObjects(), "rest_whole");
+    m_ninja.build({ m_programs[feature] });
+    if (!m_ninja.succeeded(m_programs[feature]))
+        m_parts.at(feature) = { State::Refused, errorsOf(m_ninja.log(alone)) };
+}
+
+void Submission::buildWholeWorker()
+{
+    compileAll();
+    m_ninja.addLink(wholeProgram, builtObjects(), "rest_whole");
+    m_ninja.build({ wholeProgram });
+    if (!m_ninja.succeeded(wholeProgram))
+        throw std::runtime_error(errorsOf(m_ninja.log(wholeProgram)));
+}
+
+void Submission::compileAll()
+{
+    std::vector<std::string> objects;
+    for (const auto& [name, part] : m_parts)
+        if (part.state == State::Taken)
+            objects.push_back(objectOf(name));
+    m_ninja.build(objects);
+    for (const auto& [name, part] : m_parts)
+        noteCompiled(name);
+}
+
+void Submission::noteCompiled(const std::string& name)
+{
+    Part& part = m_parts.at(name);
+    if (part.state != State::Taken)
+        return;
+    if (m_ninja.succeeded(objectOf(name)))
+        part.state = State::Built;
+    else
+        part = { State::Refused, errorsOf(m_ninja.log(objectOf(name))) };
+}
+
+std::vector<std::string> Submission::builtObjects() const
+{
+    std::vector<std::string> objects;
+    for (const auto& [name, part] : m_parts)
+        if (part.state == State::Built)
+            objects.push_back(objectOf(name));
+    return objects;
+}
+
+fs::path Submission::featureWorker(const std::string& feature) const
+{
+    return m_work / m_programs.at(feature);
+}
+
+fs::path Submission::wholeWorker() const
+{
+    return m_work / wholeProgram;
+}
+
+}

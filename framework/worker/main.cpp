@@ -1,0 +1,52 @@
+// A process that runs a submission's functions for somebody who does not trust them. It answers requests on one socket
+// until that is closed; nothing else that the submission does matters to the other side.
+#include "values/unwritten.h"
+#include "worker/frame.h"
+#include "worker/probe.h"
+#include <exception>
+
+namespace {
+
+constexpr int socketToParent = 3;
+constexpr auto never = worker::Clock::time_point::max();
+constexpr std::size_t unlimited = static_cast<std::size_t>(-1); // the parent is trusted
+
+worker::Frame answer(const worker::Frame& request, const std::function<void(float)>& progress)
+{
+    using Kind = worker::Frame::Kind;
+    try {
+        worker::Reader input { request.message };
+        const auto probe = input.read<std::string>();
+        const worker::Probe::Function function = worker::Probe::find(probe);
+        if (!function)
+            throw std::invalid_argument("no probe is called " + probe);
+        worker::Message output;
+        worker::Call call { input, output, progress };
+        function(call);
+        worker::Message whole;
+        whole << values::takeUnwritten();
+        whole.append(output.bytes().data(), output.bytes().size());
+        return { request.nonce, Kind::Answer, std::move(whole) };
+    } catch (const std::exception& error) {
+        worker::Message message;
+        message << std::string(error.what());
+        return { request.nonce, Kind::Failure, std::move(message) };
+    }
+}
+
+}
+
+int main()
+{
+    worker::Frame request;
+    while (worker::receiveFrame(socketToParent, request, unlimited, never) == worker::Transfer::Done) {
+        const auto progress = [&](float fraction) {
+            worker::Message message;
+            message << fraction;
+            (void)worker::sendFrame(socketToParent, { request.nonce, worker::Frame::Kind::Progress, message }, never);
+        };
+        if (worker::sendFrame(socketToParent, answer(request, progress), never) != worker::Transfer::Done)
+            return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,134 @@
+#pragma once
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace worker {
+
+// What a message holds did not fit what was read from it.
+class MalformedMessage : public std::runtime_error {
+public:
+    MalformedMessage()
+        : std::runtime_error("a message ended early")
+    {
+    }
+};
+
+// Values as bytes, for another process on this machine. Anything that is plain data can be written as it is; types
+// with pointers in them have overloads of their own.
+class Message {
+public:
+    Message() = default;
+    explicit Message(std::vector<std::byte> bytes)
+        : m_bytes(std::move(bytes))
+    {
+    }
+
+    [[nodiscard]] std::span<const std::byte> bytes() const { return m_bytes; }
+
+    template <typename T>
+        requires std::is_trivially_copyable_v<T>
+    void append(const T* values, std::size_t count)
+    {
+        appendBytes(values, count * sizeof(T));
+    }
+
+private:
+    void appendBytes(const void* bytes, std::size_t count);
+
+    std::vector<std::byte> m_bytes;
+};
+
+// Takes a message's values in the order in which they were written. Throws MalformedMessage past its end.
+class Reader {
+public:
+    explicit Reader(const Message& message)
+        : m_rest(message.bytes())
+    {
+    }
+
+    [[nodiscard]] std::span<const std::byte> take(std::size_t count)
+    {
+        if (count > m_rest.size())
+            throw MalformedMessage();
+        const auto taken = m_rest.first(count);
+        m_rest = m_rest.subspan(count);
+        return taken;
+    }
+
+    [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
+
+    template <typename T>
+    [[nodiscard]] T read()
+    {
+        T value;
+        *this >> value;
+        return value;
+    }
+
+private:
+    std::span<const std::byte> m_rest;
+};
+
+// Pointers mean nothing elsewhere. Other types that are no plain data are ruled out by their overloads' absence.
+template <typename T>
+concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
+
+template <Plain T>
+Message& operator<<(Message& message, const T& value)
+{
+    message.append(&value, 1);
+    return message;
+}
+
+template <Plain T>
+Reader& operator>>(Reader& reader, T& value)
+{
+    std::memcpy(static_cast<void*>(&value), reader.take(sizeof(T)).data(), sizeof(T));
+    return reader;
+}
+
+template <typename T>
+Message& operator<<(Message& message, const std::vector<T>& values)
+{
+    message << values.size();
+    if constexpr (Plain<T>)
+        message.append(values.data(), values.size());
+    else
+        for (const T& value : values)
+            message << value;
+    return message;
+}
+
+template <typename T>
+Reader& operator>>(Reader& reader, std::vector<T>& values)
+{
+    const auto count = reader.read<std::size_t>();
+    if (count > reader.rest().size()) // every value takes a byte or more: no allocation on a liar's word
+        throw MalformedMessage();
+    values.resize(count);
+    for (T& value : values)
+        reader >> value;
+    return reader;
+}
+
+inline Message& operator<<(Message& message, const std::string& text)
+{
+    message << text.size();
+    message.append(text.data(), text.size());
+    return message;
+}
+
+inline Reader& operator>>(Reader& reader, std::string& text)
+{
+    const auto bytes = reader.take(reader.read<std::size_t>());
+    text.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return reader;
+}
+
+}

@@ -1,0 +1,48 @@
+#pragma once
+#include "worker/message.h"
+#include <cstdint>
+#include <string>
+#include <vector>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace worker {
+
+// What the probes render.image and render.pixels are asked for: a scene file, and what differs from what it says.
+struct RenderRequest {
+    std::string scene; // path
+    std::vector<std::string> settings; // "name=value", names as in files::featureNames
+    glm::ivec2 size { 0 }; // pixels; 0: the scene file's
+    uint32_t seed = 0; // render.pixels only
+    uint32_t numThreads = 0; // 0: all cores
+    bool wantsProgress = false;
+};
+
+struct Rendering {
+    glm::ivec2 size { 0 };
+    std::vector<glm::vec3> pixels; // row 0 at the bottom
+    double seconds = 0.0; // of rendering alone
+    uint64_t numRays = 0; // of all kinds
+};
+
+inline Message& operator<<(Message& message, const RenderRequest& r)
+{
+    return message << r.scene << r.settings << r.size << r.seed << r.numThreads << r.wantsProgress;
+}
+
+inline Reader& operator>>(Reader& reader, RenderRequest& r)
+{
+    return reader >> r.scene >> r.settings >> r.size >> r.seed >> r.numThreads >> r.wantsProgress;
+}
+
+inline Message& operator<<(Message& message, const Rendering& r)
+{
+    return message << r.size << r.pixels << r.seconds << r.numRays;
+}
+
+inline Reader& operator>>(Reader& reader, Rendering& r)
+{
+    return reader >> r.size >> r.pixels >> r.seconds >> r.numRays;
+}
+
+}

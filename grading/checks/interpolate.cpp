@@ -1,0 +1,293 @@
+#include "grading/check.h"
+#include "grading/expect.h"
+#include "grading/oracle/triangle.h"
+#include "grading/picture.h"
+#include <fmt/format.h>
+
+namespace grading {
+namespace {
+
+    // Of any shape up to eight times longer than high, about as large as the scale and as far from the origin.
+    Triangle randomTriangle(Random& random, float scale = 1.0f)
+    {
+        for (;;) {
+            const Triangle triangle { random.vec3(-1.0f, 1.0f), random.vec3(-1.0f, 1.0f), random.vec3(-1.0f, 1.0f) };
+            if (longestEdge(triangle) > 0.3 && slenderness(triangle) < 8.0)
+                return { scale * triangle.v0, scale * triangle.v1, scale * triangle.v2 };
+        }
+    }
+
+    glm::vec3 pointOf(const Triangle& triangle, const glm::vec3& barycentric)
+    {
+        return glm::vec3(pointAt(cornersOf(triangle), glm::dvec3(barycentric)));
+    }
+
+    // Sum 1, none less than the margin.
+    glm::vec3 weightsInside(Random& random, float margin = 0.05f)
+    {
+        glm::vec2 uv = random.vec2();
+        if (uv.x + uv.y > 1.0f)
+            uv = 1.0f - uv;
+        const glm::vec2 weights = margin + (1.0f - 3.0f * margin) * uv;
+        return { 1.0f - weights.x - weights.y, weights };
+    }
+
+    // Sum 1, in [-2, 3], at least one clearly negative: all around the triangle.
+    glm::vec3 weightsOutside(Random& random)
+    {
+        for (;;) {
+            const glm::vec2 weights = random.vec2(-2.0f, 3.0f);
+            const float rest = 1.0f - weights.x - weights.y;
+            if (rest > -2.0f && rest < 3.0f && std::min({ rest, weights.x, weights.y }) < -0.05f)
+                return { rest, weights };
+        }
+    }
+
+    // Coordinates are quotients of areas, often of their squares: a rounding counts as often as the square of the
+    // slenderness, and of how much farther away the point is than the triangle is long.
+    double toleranceFor(const TrianglePoint& input)
+    {
+        constexpr double someRoundings = 4e-6;
+        const double reach
+            = glm::distance(glm::dvec3(input.triangle.v0), glm::dvec3(input.p)) / longestEdge(input.triangle);
+        const double condition = slenderness(input.triangle) * std::max(1.0, reach);
+        return someRoundings * condition * condition;
+    }
+
+    std::string describe(const TrianglePoint& input)
+    {
+        const auto& [v0, v1, v2] = input.triangle;
+        return fmt::format(
+            "computeBarycentricCoord of {}, {}, {} at {}", toText(v0), toText(v1), toText(v2), toText(input.p));
+    }
+
+    // Calls judge(what was asked, input, coordinates) for each.
+    template <typename Judge>
+    void judgeCoordinates(Exam& exam, const std::vector<TrianglePoint>& inputs, const Judge& judge)
+    {
+        const auto coordinates = exam.ask<std::vector<glm::vec3>>("interpolate.barycentric", inputs);
+        expectCount("computeBarycentricCoord", coordinates.size(), inputs.size());
+        for (std::size_t i = 0; i < inputs.size(); ++i)
+            judge(describe(inputs[i]), inputs[i], coordinates[i]);
+    }
+
+    void compareCoordinates(Exam& exam, const std::vector<TrianglePoint>& inputs)
+    {
+        judgeCoordinates(exam, inputs, [](const std::string& asked, const TrianglePoint& input, const glm::vec3& came) {
+            const glm::dvec3 expected = closestPoint(cornersOf(input.triangle), glm::dvec3(input.p));
+            expectNear(asked, came, expected, toleranceFor(input));
+        });
+    }
+
+    void compareInside(Exam& exam, float scale)
+    {
+        std::vector<TrianglePoint> inputs;
+        for (int i = 0; i < 100; ++i) {
+            const Triangle triangle = randomTriangle(exam.random, scale);
+            inputs.push_back({ triangle, pointOf(triangle, weightsInside(exam.random)) });
+        }
+        compareCoordinates(exam, inputs);
+    }
+
+    // Corners and edges: a rounding may put a point of an edge outside.
+    void compareBorder(Exam& exam)
+    {
+        std::vector<TrianglePoint> inputs;
+        for (int i = 0; i < 60; ++i) {
+            const Triangle triangle = randomTriangle(exam.random);
+            glm::vec3 weights { 0.0f };
+            const float s = i % 2 == 0 ? 0.0f : exam.random.uniform();
+            weights[i % 3] = 1.0f - s;
+            weights[(i + 1) % 3] = s;
+            inputs.push_back({ triangle, pointOf(triangle, weights) });
+        }
+        compareCoordinates(exam, inputs);
+    }
+
+    void compareOutside(Exam& exam)
+    {
+        std::vector<TrianglePoint> inputs;
+        for (int i = 0; i < 200; ++i) {
+            const Triangle triangle = randomTriangle(exam.random);
+            inputs.push_back({ triangle, pointOf(triangle, weightsOutside(exam.random)) });
+        }
+        compareCoordinates(exam, inputs);
+    }
+
+    // Up to the longest edge above or below the plane, half of the feet inside the triangle.
+    void compareOffPlane(Exam& exam)
+    {
+        std::vector<TrianglePoint> inputs;
+        for (int i = 0; i < 100; ++i) {
+            const Triangle triangle = randomTriangle(exam.random);
+            const auto& [v0, v1, v2] = triangle;
+            const glm::vec3 normal = glm::normalize(glm::cross(v1 - v0, v2 - v0));
+            const float height = exam.random.uniform(-1.0f, 1.0f) * static_cast<float>(longestEdge(triangle));
+            const glm::vec3 weights = i % 2 == 0 ? weightsInside(exam.random) : weightsOutside(exam.random);
+            inputs.push_back({ triangle, pointOf(triangle, weights) + height * normal });
+        }
+        compareCoordinates(exam, inputs);
+    }
+
+    // A point, two equal corners, or three corners in line; exactly: all numbers are small multiples of 1/16.
+    Triangle triangleWithoutArea(Random& random)
+    {
+        const auto multiple = [&] { return static_cast<float>(random.integer(1, 16)) / 16.0f; };
+        const glm::vec3 start { multiple(), -multiple(), multiple() };
+        const glm::vec3 step { -multiple(), multiple(), multiple() };
+        std::array<int, 3> steps {};
+        for (int& count : steps)
+            count = random.integer(0, 3);
+        const auto corner
+            = [&](int i) { return start + static_cast<float>(steps[static_cast<std::size_t>(i)]) * step; };
+        return { corner(0), corner(1), corner(2) };
+    }
+
+    template <typename Judge> void judgeWithoutArea(Exam& exam, const Judge& judge)
+    {
+        std::vector<TrianglePoint> inputs;
+        for (int i = 0; i < 100; ++i) {
+            const Triangle triangle = triangleWithoutArea(exam.random);
+            // Half of the points lie between corners, where a triangle with area would hold them.
+            const glm::vec3 off = i % 2 == 0 ? glm::vec3(0.0f) : exam.random.vec3(-2.0f, 2.0f);
+            inputs.push_back({ triangle, pointOf(triangle, weightsInside(exam.random)) + off });
+        }
+        judgeCoordinates(exam, inputs, judge);
+    }
+
+    void compareSum(const std::string& asked, const TrianglePoint&, const glm::vec3& came)
+    {
+        for (int i = 0; i < 3; ++i)
+            expect(came[i] >= -fewRoundings && came[i] <= 1.0 + fewRoundings, asked, toText(came), "each in [0, 1]");
+        expectNear("the sum of " + asked, came.x + came.y + came.z, 1.0, fewRoundings);
+    }
+
+    // Without area a point has many coordinates: what counts is how far the one that came is from p.
+    void compareDistance(const std::string& asked, const TrianglePoint& input, const glm::vec3& came)
+    {
+        compareSum(asked, input, came);
+        const Corners corners = cornersOf(input.triangle);
+        const glm::dvec3 p { input.p };
+        const glm::dvec3 point = pointAt(corners, glm::dvec3(came));
+        const glm::dvec3 closest = pointAt(corners, closestPoint(corners, p));
+        constexpr double tolerance = 10.0 * fewRoundings; // coordinates within 1e-5, of points within 8
+        expect(glm::distance(point, p) <= glm::distance(closest, p) + tolerance, asked,
+            fmt::format("{}, which is the point {}", toText(came), toText(glm::vec3(point))),
+            fmt::format("coordinates of {}", toText(glm::vec3(closest))));
+    }
+
+    const Check inside("interpolation.barycentric.inside", 2.0,
+        "alpha is the part of the area opposite v0, beta opposite v1, gamma opposite v2; divide as floats",
+        [](Exam& exam) { compareInside(exam, 1.0f); });
+    const Check scale("interpolation.barycentric.scale", 0.5,
+        "nothing depends on the triangle's size: compare with 0 or with its area, not with a fixed small number",
+        [](Exam& exam) {
+            compareInside(exam, 0.01f);
+            compareInside(exam, 100.0f);
+        });
+    const Check border("interpolation.barycentric.border", 0.5,
+        "corners and edges belong to the triangle: a corner has (1, 0, 0), (0, 1, 0) or (0, 0, 1)", compareBorder);
+    const Check outside("interpolation.barycentric.outside", 1.5,
+        "a point outside gets the coordinates of the closest point of the triangle: on an edge or a corner. Areas need "
+        "their sign, and a clamp alone misses the closest point",
+        compareOutside);
+    const Check offPlane("interpolation.barycentric.off_plane", 0.5,
+        "a point above the plane counts as its foot: project the areas on the triangle's normal", compareOffPlane);
+    const Check degenerate("interpolation.barycentric.degenerate", 0.5,
+        "a triangle without area: dividing by 0 gives NaN", [](Exam& exam) { judgeWithoutArea(exam, compareSum); });
+    const Check degenerateClosest("interpolation.barycentric.degenerate_closest", 0.5,
+        "a triangle without area is a segment or a point: the closest point lies on one of its edges",
+        [](Exam& exam) { judgeWithoutArea(exam, compareDistance); });
+
+    // Random weights, and after them those of the corners.
+    glm::vec3 weightsOf(Random& random, int i)
+    {
+        if (i >= 3)
+            return weightsInside(random, 0.0f);
+        glm::vec3 corner { 0.0f };
+        corner[i] = 1.0f;
+        return corner;
+    }
+
+    // Unit normals up to 60 degrees from one in the middle: their mean is 0.5 long or more, and a rounding counts
+    // twice.
+    std::vector<Weighted<glm::vec3>> someNormals(Random& random)
+    {
+        std::vector<Weighted<glm::vec3>> means;
+        for (int i = 0; i < 100; ++i) {
+            const glm::vec3 middle = random.direction();
+            const auto normal = [&] {
+                for (;;)
+                    if (const glm::vec3 n = random.direction(); glm::dot(n, middle) > 0.5f)
+                        return n;
+            };
+            means.push_back({ normal(), normal(), normal(), weightsOf(random, i) });
+        }
+        return means;
+    }
+
+    template <typename V, typename Judge>
+    void judgeMeans(Exam& exam, const std::string& probe, const std::string& function,
+        const std::vector<Weighted<V>>& means, const Judge& judge)
+    {
+        const auto results = exam.ask<std::vector<V>>(probe, means);
+        expectCount(function, results.size(), means.size());
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            const auto& [a, b, c, weights] = means[i];
+            judge(fmt::format("{} of {}, {}, {} at {}", function, toText(a), toText(b), toText(c), toText(weights)),
+                means[i], results[i]);
+        }
+    }
+
+    template <typename V> auto meanOracle(const Weighted<V>& mean)
+    {
+        using D = glm::vec<V::length(), double>;
+        const glm::dvec3 w { mean.weights };
+        return w.x * D(mean.a) + w.y * D(mean.b) + w.z * D(mean.c);
+    }
+
+    // The length is left to another check.
+    void compareNormalDirection(Exam& exam)
+    {
+        judgeMeans(exam, "interpolate.normal", "interpolateNormal", someNormals(exam.random),
+            [](const std::string& asked, const Weighted<glm::vec3>& mean, const glm::vec3& came) {
+                const glm::vec3 direction { glm::normalize(glm::dvec3(came)) }; // NaN for a zero vector
+                expectNear("the direction of " + asked, direction, glm::normalize(meanOracle(mean)), fewRoundings);
+            });
+    }
+
+    void compareNormalLength(Exam& exam)
+    {
+        judgeMeans(exam, "interpolate.normal", "interpolateNormal", someNormals(exam.random),
+            [](const std::string& asked, const Weighted<glm::vec3>&, const glm::vec3& came) {
+                expectNear("the length of " + asked, glm::length(came), 1.0, fewRoundings);
+            });
+    }
+
+    void compareTexCoords(Exam& exam, float lower, float upper)
+    {
+        std::vector<Weighted<glm::vec2>> means;
+        for (int i = 0; i < 100; ++i)
+            means.push_back({ exam.random.vec2(lower, upper), exam.random.vec2(lower, upper),
+                exam.random.vec2(lower, upper), weightsOf(exam.random, i) });
+        judgeMeans(exam, "interpolate.texCoord", "interpolateTexCoord", means,
+            [&](const std::string& asked, const Weighted<glm::vec2>& mean, const glm::vec2& came) {
+                expectNear(asked, came, meanOracle(mean), fewRoundings * std::max(1.0f, upper));
+            });
+    }
+
+    const Check normalDirection("interpolation.normal.direction", 1.0,
+        "alpha weighs the normal of v0, beta that of v1, gamma that of v2", compareNormalDirection);
+    const Check normalUnit("interpolation.normal.unit", 1.0,
+        "a mean of unit vectors is shorter than 1: return glm::normalize of it", compareNormalLength);
+    const Check texCoordWeights("interpolation.texcoord.weights", 0.5,
+        "alpha weighs the coordinates of v0, beta those of v1, gamma those of v2",
+        [](Exam& exam) { compareTexCoords(exam, 0.0f, 1.0f); });
+    const Check texCoordRange("interpolation.texcoord.range", 0.5,
+        "coordinates below 0 and above 1 stay as they are: what they mean is up to the texture's lookup",
+        [](Exam& exam) { compareTexCoords(exam, -8.0f, 8.0f); });
+    const Check picture("interpolation.picture.normals", 1.0, "see the other checks of interpolation",
+        [](Exam& exam) { comparePictures(exam, pictureOf("normal_interpolation")); });
+
+}
+}

@@ -1,0 +1,174 @@
+#include "grading/check.h"
+#include "grading/expect.h"
+#include "grading/picture.h"
+#include "worker/scene_message.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace grading {
+namespace {
+
+    // Every texel has a colour of its own, so that a wrong one shows, whichever it is.
+    Image numberedTexels(Random& random)
+    {
+        const int width = random.integer(5, 9);
+        Image image(width, width + random.integer(2, 5)); // not square: width and height cannot be swapped
+        const glm::ivec3 start { random.integer(0, 255), random.integer(0, 255), random.integer(0, 255) };
+        for (int i = 0; i < image.width * image.height; ++i)
+            image.set_pixel(i, glm::vec3((start + i * glm::ivec3(37, 91, 151)) % 256) / 255.0f);
+        return image;
+    }
+
+    glm::dvec3 texel(const Image& image, int i, int j)
+    {
+        const int x = std::clamp(i, 0, image.width - 1);
+        const int y = std::clamp(j, 0, image.height - 1);
+        return glm::dvec3(image.get_pixel(y * image.width + x));
+    }
+
+    glm::dvec3 nearestOracle(const Image& image, const glm::dvec2& uv)
+    {
+        return texel(image, static_cast<int>(std::floor(uv.x * image.width)), static_cast<int>(std::floor(uv.y * image.height)));
+    }
+
+    glm::dvec3 bilinearOracle(const Image& image, const glm::dvec2& uv)
+    {
+        const double x = uv.x * image.width - 0.5;
+        const double y = uv.y * image.height - 0.5;
+        const int i = static_cast<int>(std::floor(x));
+        const int j = static_cast<int>(std::floor(y));
+        const double fx = x - i;
+        const double fy = y - j;
+        return texel(image, i, j) * (1.0 - fx) * (1.0 - fy) + texel(image, i + 1, j) * fx * (1.0 - fy)
+            + texel(image, i, j + 1) * (1.0 - fx) * fy + texel(image, i + 1, j + 1) * fx * fy;
+    }
+
+    struct Lookup {
+        std::string probe;
+        std::string function;
+        glm::dvec3 (*oracle)(const Image&, const glm::dvec2&);
+    };
+    const Lookup nearest { "texture.nearest", "sampleTextureNearest", nearestOracle };
+    const Lookup bilinear { "texture.bilinear", "sampleTextureBilinear", bilinearOracle };
+
+    glm::vec2 flipped(const glm::vec2& uv)
+    {
+        return { uv.x, 1.0f - uv.y };
+    }
+
+    // Whether all colours are those of the flipped picture: one mistake in the orientation costs the check of it alone.
+    bool isFlipped(const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
+        const std::vector<glm::vec3>& colors)
+    {
+        for (std::size_t i = 0; i < coords.size(); ++i)
+            if (!(glm::length(glm::dvec3(colors[i]) - lookup.oracle(image, flipped(coords[i]))) < fewRoundings * 10.0))
+                return false;
+        return true;
+    }
+
+    void compare(Exam& exam, const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
+        bool acceptFlipped = true)
+    {
+        const auto colors = exam.ask<std::vector<glm::vec3>>(lookup.probe, image, coords);
+        expectCount(lookup.function, colors.size(), coords.size());
+        if (acceptFlipped && isFlipped(lookup, image, coords, colors))
+            return;
+        for (std::size_t i = 0; i < coords.size(); ++i) {
+            const std::string asked = fmt::format(
+                "{} of {} x {} texels at {}", lookup.function, image.width, image.height, toText(coords[i]));
+            // Coordinates of up to 14 texels are rounded by 1e-6 texels, colours of neighbours differ by up to 1.
+            expectNear(asked, colors[i], lookup.oracle(image, coords[i]), fewRoundings);
+        }
+    }
+
+    // Coordinates in the image, none closer than a twentieth of a texel to where a texel begins or has its centre: there
+    // rounding decides.
+    std::vector<glm::vec2> insideOf(Random& random, const Image& image, int count)
+    {
+        std::vector<glm::vec2> coords;
+        for (int i = 0; i < count; ++i) {
+            const glm::vec2 quarter { random.integer(0, 2 * image.width - 1), random.integer(0, 2 * image.height - 1) };
+            coords.push_back((quarter * 0.5f + random.vec2(0.05f, 0.45f)) / glm::vec2(image.width, image.height));
+        }
+        return coords;
+    }
+
+    void compareInside(Exam& exam, const Lookup& lookup)
+    {
+        const Image image = numberedTexels(exam.random);
+        compare(exam, lookup, image, insideOf(exam.random, image, 200));
+    }
+
+    // On the edges, 0 and 1 themselves, and within the outermost half texel.
+    void compareBorder(Exam& exam, const Lookup& lookup)
+    {
+        const Image image = numberedTexels(exam.random);
+        std::vector<glm::vec2> coords { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
+        for (glm::vec2 uv : insideOf(exam.random, image, 40)) {
+            const int axis = exam.random.integer(0, 1);
+            const float size = static_cast<float>(axis == 0 ? image.width : image.height);
+            const float offset = exam.random.integer(0, 1) == 0 ? 0.0f : exam.random.uniform(0.05f, 0.45f) / size;
+            uv[axis] = exam.random.integer(0, 1) == 0 ? offset : 1.0f - offset;
+            coords.push_back(uv);
+        }
+        compare(exam, lookup, image, coords);
+    }
+
+    // Below 0 and above 1, near and far.
+    void compareOutside(Exam& exam, const Lookup& lookup)
+    {
+        const Image image = numberedTexels(exam.random);
+        std::vector<glm::vec2> coords;
+        for (glm::vec2 uv : insideOf(exam.random, image, 60)) {
+            const float distance = std::pow(10.0f, exam.random.uniform(-1.0f, 2.0f));
+            const int axis = exam.random.integer(0, 1);
+            uv[axis] = exam.random.integer(0, 1) == 0 ? -distance : 1.0f + distance;
+            coords.push_back(uv);
+        }
+        compare(exam, lookup, image, coords);
+    }
+
+    void compareOrientation(Exam& exam, const Lookup& lookup)
+    {
+        const Image image = numberedTexels(exam.random);
+        compare(exam, lookup, image, insideOf(exam.random, image, 50), false);
+    }
+
+    const Check nearestInside("texture.nearest.inside", 2.0,
+        "the texel is floor(texCoord * size): no half is added or taken, and size is not size - 1",
+        [](Exam& exam) { compareInside(exam, nearest); });
+    const Check nearestBorder("texture.nearest.border", 1.0,
+        "texCoord = 1 addresses the last texel: clamp the index to size - 1, not to size",
+        [](Exam& exam) { compareBorder(exam, nearest); });
+    const Check nearestOutside("texture.nearest.outside", 1.0,
+        "coordinates below 0 or above 1 take the edge's texel; a modulo or a missing clamp reads another row",
+        [](Exam& exam) { compareOutside(exam, nearest); });
+    const Check bilinearInside("texture.bilinear.inside", 2.0,
+        "texel centres lie at half-integers: the weights are those of texCoord * size - 0.5",
+        [](Exam& exam) { compareInside(exam, bilinear); });
+    const Check bilinearBorder("texture.bilinear.border", 1.0,
+        "within half a texel of the edge there is no neighbour beyond it: clamp the coordinate before the weights are taken",
+        [](Exam& exam) { compareBorder(exam, bilinear); });
+    const Check bilinearOutside("texture.bilinear.outside", 0.5,
+        "coordinates below 0 or above 1 take the edge's texels, each axis by its own size",
+        [](Exam& exam) { compareOutside(exam, bilinear); });
+    const Check orientation("texture.orientation.rows", 0.5,
+        "row 0 is the row that v = 0 addresses: the loader has flipped the picture already, sampling must not",
+        [](Exam& exam) {
+            compareOrientation(exam, nearest);
+            compareOrientation(exam, bilinear);
+        });
+
+    // The picture may be upside down: the check of the orientation has taken points for that already.
+    void comparePicture(Exam& exam, const std::string& scene)
+    {
+        comparePictures(exam, pictureOf(scene));
+    }
+
+    const Check nearestPicture("texture.picture.nearest", 1.0, "see the checks of sampleTextureNearest",
+        [](Exam& exam) { comparePicture(exam, "texture_nearest"); });
+    const Check bilinearPicture("texture.picture.bilinear", 1.0, "see the checks of sampleTextureBilinear",
+        [](Exam& exam) { comparePicture(exam, "texture_bilinear"); });
+
+}
+}

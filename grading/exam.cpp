@@ -1,0 +1,43 @@
+#include "grading/exam.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace grading {
+namespace {
+
+    // The slowest question takes the reference a second; a machine may be slow and busy.
+    constexpr std::chrono::seconds patience { 10 };
+
+    // A render's scene and picture take a tenth of that.
+    constexpr worker::Limits limits { .memoryBytes = std::size_t(4) << 30, .outputBytes = std::size_t(1) << 20 };
+
+}
+
+Wrong::Wrong(const std::string& asked, const std::string& came, const std::string& expected)
+    : std::runtime_error(fmt::format("{}: came {}, expected {}", asked, came, expected))
+{
+}
+
+NotAttempted::NotAttempted(const std::vector<std::string>& functions)
+    : std::runtime_error(fmt::format("not written yet: {}", fmt::join(functions, ", ")))
+{
+}
+
+Exam::Exam(std::filesystem::path submission, std::filesystem::path reference, Random random_)
+    : random(std::move(random_))
+    , m_submission { std::move(submission), nullptr }
+    , m_reference { std::move(reference), nullptr }
+{
+}
+
+worker::Message Exam::run(Side& side, const std::string& probe, const worker::Message& message)
+{
+    if (!side.process)
+        side.process = std::make_unique<worker::Process>(side.program, limits);
+    worker::Answer answer = side.process->ask(probe, message, patience);
+    if (!answer.unwritten.empty())
+        throw NotAttempted(answer.unwritten);
+    return std::move(answer.output);
+}
+
+}

@@ -1,0 +1,138 @@
+#include "grading/grade.h"
+#include "grading/check.h"
+#include "grading/exam.h"
+#include "grading/feature.h"
+#include "submission/submission.h"
+#include <fmt/format.h>
+#include <set>
+#include <tbb/parallel_for.h>
+
+namespace grading {
+namespace {
+
+    // The checks of a feature that may run out of time before the rest is given up: an endless loop is met by most of
+    // them, and a teacher has three hundred folders.
+    constexpr int maxTimeouts = 2;
+
+    struct Verdict {
+        Status status = Status::Passed;
+        std::string message;
+    };
+
+    std::string withCause(const std::string& what, const Check& check)
+    {
+        return fmt::format("{} (usually: {})", what, check.usualCause);
+    }
+
+    Verdict judgeFailure(const worker::Failure& failure, const Check& check)
+    {
+        switch (failure.kind) {
+        case worker::Failure::Kind::Crashed:
+            return { Status::Crashed, failure.what() };
+        case worker::Failure::Kind::TimedOut:
+            return { Status::TimedOut, failure.what() };
+        case worker::Failure::Kind::Malformed:
+            break;
+        }
+        return { Status::Wrong, withCause(failure.what(), check) };
+    }
+
+    Verdict judge(const Check& check, Exam& exam)
+    {
+        try {
+            check.run(exam);
+            return {};
+        } catch (const Wrong& wrong) {
+            return { Status::Wrong, withCause(wrong.what(), check) };
+        } catch (const NotAttempted& stub) {
+            return { Status::NotAttempted, stub.what() };
+        } catch (const worker::Failure& failure) {
+            return judgeFailure(failure, check);
+        } catch (const worker::MalformedMessage& malformed) {
+            return { Status::Wrong, withCause(malformed.what(), check) };
+        } catch (const worker::ProbeError& error) { // an exception that the submission threw
+            return { Status::Crashed, fmt::format("threw an exception: {}", error.what()) };
+        }
+    }
+
+    // A feature's checks, one after the other.
+    class FeatureGrader {
+    public:
+        FeatureGrader(const Assignment& assignment, const submission::Submission& submission, const Feature& feature)
+            : m_assignment(assignment)
+            , m_submission(submission)
+            , m_feature(feature)
+            , m_part(submission.parts().at(feature.file))
+        {
+        }
+
+        [[nodiscard]] Row grade(const Check& check)
+        {
+            const Verdict verdict = reach(check);
+            m_numTimeouts += verdict.status == Status::TimedOut;
+            const double score = verdict.status == Status::Passed ? check.points : 0.0;
+            return { check.name, check.feature, score, check.points, verdict.status, verdict.message };
+        }
+
+    private:
+        [[nodiscard]] Verdict reach(const Check& check) const
+        {
+            if (m_part.state == submission::State::Refused)
+                return { Status::Refused, fmt::format("{}.cpp: {}", m_feature.file, m_part.message) };
+            if (m_numTimeouts >= maxTimeouts)
+                return { Status::TimedOut, fmt::format("not asked: {} checks of this feature ran out of time", maxTimeouts) };
+            Exam exam { m_submission.featureWorker(m_feature.file), m_assignment.referenceWorker,
+                Random(m_assignment.seed, check.name) };
+            return judge(check, exam);
+        }
+
+        const Assignment& m_assignment;
+        const submission::Submission& m_submission;
+        const Feature& m_feature;
+        submission::Part m_part;
+        int m_numTimeouts = 0;
+    };
+
+    std::vector<const Feature*> wantedFeatures(const std::string& only)
+    {
+        std::vector<const Feature*> wanted;
+        for (const Feature& feature : gradedFeatures)
+            if (only.empty() || feature.name == only)
+                wanted.push_back(&feature);
+        return wanted;
+    }
+
+    std::vector<std::string> filesOf(const std::vector<const Feature*>& features)
+    {
+        std::set<std::string> files;
+        for (const Feature* feature : features)
+            files.insert(feature->file);
+        return { files.begin(), files.end() };
+    }
+
+}
+
+std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow)
+{
+    const std::vector<const Feature*> wanted = wantedFeatures(assignment.onlyFeature);
+    submission::Submission submission { assignment.submission };
+    submission.buildFeatureWorkers(filesOf(wanted));
+
+    std::vector<std::vector<Row>> rows(wanted.size());
+    tbb::parallel_for(std::size_t(0), wanted.size(), [&](std::size_t i) {
+        FeatureGrader grader { assignment, submission, *wanted[i] };
+        for (const Check& check : Check::all()) {
+            if (check.feature != wanted[i]->name)
+                continue;
+            rows[i].push_back(grader.grade(check));
+            if (onRow)
+                onRow(rows[i].back());
+        }
+    });
+    std::vector<Row> all;
+    for (const std::vector<Row>& ofFeature : rows)
+        all.insert(all.end(), ofFeature.begin(), ofFeature.end());
+    return all;
+}
+
+}

@@ -1,0 +1,22 @@
+#pragma once
+#include "grading/row.h"
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace grading {
+
+struct Assignment {
+    std::filesystem::path submission; // folder
+    std::filesystem::path referenceWorker; // program
+    std::string onlyFeature; // empty: all
+    uint64_t seed = 0; // of all random inputs
+};
+
+// Builds the submission and runs all checks, features side by side. Calls onRow from any thread after each check; the
+// rows come back in the order of the checks. Throws files::Error when the submission is no folder, and
+// std::runtime_error when the grader itself fails.
+[[nodiscard]] std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow = {});
+
+}

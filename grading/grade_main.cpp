@@ -1,0 +1,82 @@
+// ./raywork grade: builds a submission, asks it questions in a process of its own, and tells what it is worth.
+#include "files/error.h"
+#include "grading/feature.h"
+#include "grading/grade.h"
+#include "grading/report.h"
+#include "submission/paths.h"
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace {
+
+enum ExitCode { Graded = 0, BadInput = 2, GraderFailed = 75 };
+
+struct Options {
+    std::string submission;
+    std::string onlyFeature;
+    std::string json;
+    uint64_t seed = 1;
+};
+
+void declare(CLI::App& cli, Options& options)
+{
+    std::vector<std::string> names;
+    for (const grading::Feature& feature : grading::gradedFeatures)
+        names.push_back(feature.name);
+    cli.add_option("submission", options.submission, "A folder with a submission's files, such as student")->required();
+    cli.add_option("--only", options.onlyFeature, "Grade this feature alone")->check(CLI::IsMember(names));
+    cli.add_option("--json", options.json, "Write the grade to this file as well");
+    cli.add_option("--seed", options.seed, "Of the random inputs [1]");
+    cli.footer("Exit codes: 0 graded, whatever the score; 2 bad input; 75 the grader failed.");
+}
+
+// On a terminal: the check that was last done.
+void showProgress(const grading::Row& row)
+{
+    if (isatty(STDERR_FILENO))
+        fmt::print(stderr, "\r\033[K{}", row.name);
+}
+
+void clearProgress()
+{
+    if (isatty(STDERR_FILENO))
+        fmt::print(stderr, "\r\033[K");
+}
+
+void run(const Options& options)
+{
+    const auto referenceWorker = std::filesystem::path(submission::buildDirectory) / "grading" / "reference-worker";
+    const grading::Assignment assignment { options.submission, referenceWorker, options.onlyFeature, options.seed };
+    const std::vector<grading::Row> rows = grading::grade(assignment, showProgress);
+    clearProgress();
+    grading::printTable(rows, isatty(STDOUT_FILENO) != 0);
+    if (!options.json.empty())
+        grading::writeJson(options.json, rows);
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    CLI::App cli { "Grades a submission.", "./raywork grade" };
+    Options options;
+    declare(cli, options);
+    try {
+        cli.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return cli.exit(error) == 0 ? Graded : BadInput;
+    }
+    try {
+        run(options);
+        return Graded;
+    } catch (const files::Error& error) {
+        clearProgress();
+        fmt::print(stderr, "{}\n", error.what());
+        return BadInput;
+    } catch (const std::exception& error) {
+        clearProgress();
+        fmt::print(stderr, "the grader failed: {}\n", error.what());
+        return GraderFailed;
+    }
+}

@@ -1,0 +1,63 @@
+#include "grading/feature.h"
+#include "grading/report.h"
+#include <fmt/color.h>
+#include <fmt/core.h>
+#include <sstream>
+
+namespace grading {
+namespace {
+
+    constexpr std::size_t lineWidth = 110;
+
+    fmt::text_style styleOf(Status status)
+    {
+        if (status == Status::Passed)
+            return fmt::fg(fmt::terminal_color::green);
+        return fmt::fg(status == Status::NotAttempted ? fmt::terminal_color::yellow : fmt::terminal_color::red);
+    }
+
+    // The message, indented, its lines broken between words.
+    void printMessage(const std::string& message)
+    {
+        std::istringstream lines(message);
+        for (std::string line; std::getline(lines, line);) {
+            while (line.size() > lineWidth) {
+                const std::size_t space = line.rfind(' ', lineWidth);
+                const std::size_t end = space == std::string::npos || space == 0 ? lineWidth : space;
+                fmt::print("      {}\n", line.substr(0, end));
+                line.erase(0, line[end] == ' ' ? end + 1 : end);
+            }
+            fmt::print("      {}\n", line);
+        }
+    }
+
+    void printRow(const Row& row, bool withColor, const std::string& previousMessage)
+    {
+        fmt::print("  {:<42} {:>5.4g} / {:<5.4g} ", row.name, row.score, row.maxScore);
+        fmt::print(withColor ? styleOf(row.status) : fmt::text_style(), "{}\n", toText(row.status));
+        if (!row.message.empty() && row.message != previousMessage)
+            printMessage(row.message);
+    }
+
+}
+
+void printTable(const std::vector<Row>& rows, bool withColor)
+{
+    for (const Feature& feature : gradedFeatures) {
+        const Score total = totalOf(rows, feature.name);
+        if (total.maxScore == 0.0)
+            continue;
+        fmt::print("{:<44} {:>5.4g} / {:.4g}\n", feature.name, total.score, total.maxScore);
+        std::string previousMessage; // a file that does not compile says so once
+        for (const Row& row : rows) {
+            if (row.feature != feature.name)
+                continue;
+            printRow(row, withColor, previousMessage);
+            previousMessage = row.message;
+        }
+    }
+    const Score total = totalOf(rows);
+    fmt::print("{:<44} {:>5.4g} / {:.4g}\n", "total", total.score, total.maxScore);
+}
+
+}
