@@ -2,8 +2,8 @@
 #include "bvh_interface.h"
 #include "render.h"
 #include "scene.h"
-#include <vector>
 #include <framework/ray.h>
+#include <vector>
 
 struct BVH : public BVHInterface {
     static constexpr uint32_t LeafSize = 4; // primitives in a leaf, at most
@@ -48,4 +48,5 @@ bool intersectRayWithBVH(RenderState& state, const BVHInterface& bvh, Ray& ray, 
 [[nodiscard]] AxisAlignedBox computeSpanAABB(std::span<const BVHInterface::Primitive> primitives);
 [[nodiscard]] glm::vec3 computePrimitiveCentroid(const BVHInterface::Primitive primitive);
 [[nodiscard]] uint32_t computeAABBLongestAxis(const AxisAlignedBox& aabb);
-size_t splitPrimitivesByMedian(const AxisAlignedBox& aabb, uint32_t axis, std::span<BVHInterface::Primitive> primitives);
+size_t splitPrimitivesByMedian(
+    const AxisAlignedBox& aabb, uint32_t axis, std::span<BVHInterface::Primitive> primitives);

@@ -3,8 +3,8 @@
 #include "fwd.h"
 #include <array>
 #include <cstdint>
-#include <span>
 #include <framework/ray.h>
+#include <span>
 
 // A binary tree of boxes over the scene's triangles. Node 0 is the root.
 struct BVHInterface {

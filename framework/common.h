@@ -4,11 +4,13 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <memory>
 #include <tuple>
 #include <vector>
-#include <glm/glm.hpp>
 
 #include <framework/mesh.h>
 #include <framework/ray.h>

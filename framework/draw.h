@@ -7,8 +7,8 @@
 // Provided: drawing for debugging. Calls record what they are given where somebody is listening on this thread (the
 // window, a report, a grader) and cost next to nothing where nobody is. Colours in [0, 1].
 void drawRay(const Ray& ray, const glm::vec3& color = glm::vec3(1.0f));
-void drawAABB(const AxisAlignedBox& box, DrawMode drawMode = DrawMode::Filled,
-    const glm::vec3& color = glm::vec3(1.0f), float transparency = 1.0f);
+void drawAABB(const AxisAlignedBox& box, DrawMode drawMode = DrawMode::Filled, const glm::vec3& color = glm::vec3(1.0f),
+    float transparency = 1.0f);
 void drawTriangle(const Vertex& v0, const Vertex& v1, const Vertex& v2);
 void drawSphere(const glm::vec3& center, float radius, const glm::vec3& color = glm::vec3(1.0f));
 void drawSphere(const Sphere& sphere);

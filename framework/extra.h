@@ -25,4 +25,5 @@ void renderRayGlossyComponent(RenderState& state, Ray ray, const HitInfo& hitInf
 
 // Reorders the primitives so that the first of them, as many as it returns, are the left child by the surface area
 // heuristic.
-size_t splitPrimitivesBySAHBin(const AxisAlignedBox& aabb, uint32_t axis, std::span<BVHInterface::Primitive> primitives);
+size_t splitPrimitivesBySAHBin(
+    const AxisAlignedBox& aabb, uint32_t axis, std::span<BVHInterface::Primitive> primitives);

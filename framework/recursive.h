@@ -2,8 +2,8 @@
 #include "common.h"
 #include "fwd.h"
 #include "render.h"
-#include <span>
 #include <framework/ray.h>
+#include <span>
 
 // Provided: the mean of the light along the rays.
 [[nodiscard]] glm::vec3 renderRays(RenderState& state, std::span<const Ray> rays, int rayDepth = 0);

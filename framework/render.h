@@ -2,9 +2,9 @@
 #include "common.h"
 #include "fwd.h"
 #include "sampler.h"
+#include <framework/ray.h>
 #include <span>
 #include <vector>
-#include <framework/ray.h>
 
 // What every function of the renderer can look at, and the random numbers of one pixel.
 struct RenderState {
@@ -16,7 +16,8 @@ struct RenderState {
 };
 
 // Provided: renders all pixels, on all cores, with the same result for any number of threads.
-void renderImage(const Scene& scene, const BVHInterface& bvh, const Features& features, const Trackball& camera, Screen& screen);
+void renderImage(
+    const Scene& scene, const BVHInterface& bvh, const Features& features, const Trackball& camera, Screen& screen);
 
 // Provided: the camera rays of a pixel, by the sampling that the features select; one sample goes through the centre.
 [[nodiscard]] std::vector<Ray> generatePixelRays(

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <random>
 #include <glm/vec2.hpp>
+#include <random>
 
 // A stream of uniform random numbers in [0, 1), never 1. Equal seeds give equal streams.
 // PCG-XSH-RR, O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms".

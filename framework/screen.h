@@ -1,10 +1,10 @@
 #pragma once
 #include <atomic>
 #include <filesystem>
-#include <span>
-#include <vector>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
+#include <vector>
 
 // The picture being rendered: linear colours, unclamped, row 0 at the bottom.
 class Screen {

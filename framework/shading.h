@@ -44,12 +44,14 @@ struct LinearGradient {
 
 // To implement: lightColor * gradient.sample(cosine of the angle between light and normal, clamped to [-1, 1]).
 [[nodiscard]] glm::vec3 computeLinearGradientModel(RenderState& state, const glm::vec3& cameraDirection,
-    const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo, const LinearGradient& gradient);
+    const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo,
+    const LinearGradient& gradient);
 
 // To implement: a colour of the gradient for the difference of the specular terms of Phong and Blinn-Phong: one half
 // of [-1, 1] where Phong is brighter, the other where Blinn-Phong is, 0 where they are equal.
 [[nodiscard]] glm::vec3 computeLinearGradientModelComparison(RenderState& state, const glm::vec3& cameraDirection,
-    const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo, const LinearGradient& gradient);
+    const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo,
+    const LinearGradient& gradient);
 
 // The models of the 2023-24 edition, which look up kd themselves.
 [[nodiscard]] glm::vec3 computeLambertianModel(RenderState& state, const glm::vec3& cameraDirection,

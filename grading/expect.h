@@ -1,8 +1,8 @@
 #pragma once
 #include "grading/exam.h"
-#include <string>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 
 namespace grading {
 

@@ -80,7 +80,8 @@ namespace {
             if (m_part.state == submission::State::Refused)
                 return { Status::Refused, fmt::format("{}.cpp: {}", m_feature.file, m_part.message) };
             if (m_numTimeouts >= maxTimeouts)
-                return { Status::TimedOut, fmt::format("not asked: {} checks of this feature ran out of time", maxTimeouts) };
+                return { Status::TimedOut,
+                    fmt::format("not asked: {} checks of this feature ran out of time", maxTimeouts) };
             Exam exam { m_submission.featureWorker(m_feature.file), m_assignment.referenceWorker,
                 Random(m_assignment.seed, check.name) };
             return judge(check, exam);

@@ -12,8 +12,7 @@ namespace {
     using Picture = worker::Rendering;
 
     // Calls f(corner, area) for each tile of the picture.
-    template <typename F>
-    void forEachTile(glm::ivec2 size, const F& f)
+    template <typename F> void forEachTile(glm::ivec2 size, const F& f)
     {
         for (int y = 0; y < size.y; y += tileSize)
             for (int x = 0; x < size.x; x += tileSize)
@@ -21,8 +20,7 @@ namespace {
     }
 
     // The sum of f(pixel index) over a tile, divided by its pixels.
-    template <typename F>
-    glm::dvec3 tileMean(glm::ivec2 size, glm::ivec2 corner, glm::ivec2 area, const F& f)
+    template <typename F> glm::dvec3 tileMean(glm::ivec2 size, glm::ivec2 corner, glm::ivec2 area, const F& f)
     {
         glm::dvec3 sum { 0.0 };
         for (int y = corner.y; y < corner.y + area.y; ++y)
@@ -47,7 +45,8 @@ namespace {
 
     std::string whereIs(glm::ivec2 corner)
     {
-        return fmt::format("around pixel ({}, {}) from the bottom left", corner.x + tileSize / 2, corner.y + tileSize / 2);
+        return fmt::format(
+            "around pixel ({}, {}) from the bottom left", corner.x + tileSize / 2, corner.y + tileSize / 2);
     }
 
     // Mean and variance of a tile's mean over several pictures.
@@ -60,8 +59,8 @@ namespace {
     {
         std::vector<glm::dvec3> means;
         for (const Picture& picture : pictures)
-            means.push_back(tileMean(
-                picture.size, corner, area, [&](std::size_t i) { return glm::dvec3(picture.pixels[i]); }));
+            means.push_back(
+                tileMean(picture.size, corner, area, [&](std::size_t i) { return glm::dvec3(picture.pixels[i]); }));
         const auto n = static_cast<double>(means.size());
         Estimate result;
         for (const glm::dvec3& mean : means)
@@ -86,8 +85,8 @@ worker::RenderRequest pictureOf(const std::string& scene, std::vector<std::strin
 
 void expectSamePicture(const worker::RenderRequest& request, const Picture& came, const Picture& expected)
 {
-    // A tile has 64 pixels: one that is black instead of white makes 0.016. Rays that start up to 1e-3 beside each other
-    // change a hundredth of the samples along an edge.
+    // A tile has 64 pixels: one that is black instead of white makes 0.016. Rays that start up to 1e-3 beside each
+    // other change a hundredth of the samples along an edge.
     constexpr double tolerance = 0.01;
     expectShape(request, came);
     forEachTile(expected.size, [&](glm::ivec2 corner, glm::ivec2 area) {
@@ -95,7 +94,8 @@ void expectSamePicture(const worker::RenderRequest& request, const Picture& came
             [&](std::size_t i) { return glm::abs(glm::dvec3(came.pixels[i]) - glm::dvec3(expected.pixels[i])); });
         const double worst = std::max({ difference.x, difference.y, difference.z });
         expect(worst <= tolerance, describe(request),
-            fmt::format("a mean difference of {:.3f} {}", worst, whereIs(corner)), fmt::format("{} or less", tolerance));
+            fmt::format("a mean difference of {:.3f} {}", worst, whereIs(corner)),
+            fmt::format("{} or less", tolerance));
     });
 }
 
@@ -108,8 +108,8 @@ void comparePictures(Exam& exam, const worker::RenderRequest& request)
 void compareNoisyPictures(Exam& exam, const worker::RenderRequest& request)
 {
     constexpr int numPictures = 12;
-    // Student's t with 11 degrees of freedom or more exceeds 9 with probability 2e-6: over 432 tiles and channels a right
-    // solution fails once in a thousand, and then only if the difference could be seen as well.
+    // Student's t with 11 degrees of freedom or more exceeds 9 with probability 2e-6: over 432 tiles and channels a
+    // right solution fails once in a thousand, and then only if the difference could be seen as well.
     constexpr double significant = 9.0;
     constexpr double visible = 0.01;
 

@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
-#include <random>
-#include <string_view>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <random>
+#include <string_view>
 
 namespace grading {
 

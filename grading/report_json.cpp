@@ -16,8 +16,8 @@ namespace {
 
     Json toJson(const Row& row)
     {
-        return { { "name", row.name }, { "feature", row.feature }, { "score", row.score }, { "max_score", row.maxScore },
-            { "status", std::string(toText(row.status)) }, { "message", row.message } };
+        return { { "name", row.name }, { "feature", row.feature }, { "score", row.score },
+            { "max_score", row.maxScore }, { "status", std::string(toText(row.status)) }, { "message", row.message } };
     }
 
     Json toJson(const std::vector<Row>& rows)

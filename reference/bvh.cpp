@@ -50,8 +50,7 @@ static const Primitive* intersectRayWithLeaf(std::span<const Primitive> primitiv
 
 // Walks the tree front to back, the nearer child first; tells onVisit(node, interval) of every node that it enters.
 // Returns the closest primitive that the ray meets, null if none, and shortens the ray to it.
-template <typename OnVisit>
-static const Primitive* traverse(const BVHInterface& bvh, Ray& ray, const OnVisit& onVisit)
+template <typename OnVisit> static const Primitive* traverse(const BVHInterface& bvh, Ray& ray, const OnVisit& onVisit)
 {
     struct Entry {
         const Node* node;
@@ -136,7 +135,7 @@ static bool intersectRayWithBVHImplemented(RenderState& state, const BVHInterfac
 {
     if (state.features.enableDebugDraw)
         drawTraversal(bvh, ray);
-    const Primitive* closest = traverse(bvh, ray, [](const Node&, const Interval&) { });
+    const Primitive* closest = traverse(bvh, ray, [](const Node&, const Interval&) {});
     if (closest)
         updateHitInfo(state, *closest, ray, hitInfo);
     bool hitSphere = false;

@@ -25,8 +25,8 @@ glm::vec3 computeBarycentricCoord(const glm::vec3& v0, const glm::vec3& v1, cons
 {
     // The part of the triangle's area opposite each corner, with a sign: negative outside that edge.
     const glm::vec3 normal = glm::cross(v1 - v0, v2 - v0);
-    const glm::vec3 area { glm::dot(normal, glm::cross(v2 - v1, p - v1)),
-        glm::dot(normal, glm::cross(v0 - v2, p - v2)), glm::dot(normal, glm::cross(v1 - v0, p - v0)) };
+    const glm::vec3 area { glm::dot(normal, glm::cross(v2 - v1, p - v1)), glm::dot(normal, glm::cross(v0 - v2, p - v2)),
+        glm::dot(normal, glm::cross(v1 - v0, p - v0)) };
     const float sum = area.x + area.y + area.z;
     if (area.x >= 0.0f && area.y >= 0.0f && area.z >= 0.0f && sum > 0.0f)
         return area / sum;

@@ -41,8 +41,8 @@ static Ray shadowRay(const glm::vec3& lightPosition, const Ray& ray, const HitIn
     return { .origin = origin, .direction = toLight / distance, .t = distance - offset };
 }
 
-bool visibilityOfLightSampleBinary(RenderState& state, const glm::vec3& lightPosition, const glm::vec3&, const Ray& ray,
-    const HitInfo& hitInfo)
+bool visibilityOfLightSampleBinary(
+    RenderState& state, const glm::vec3& lightPosition, const glm::vec3&, const Ray& ray, const HitInfo& hitInfo)
 {
     if (!state.features.enableShadows)
         return true;

@@ -46,10 +46,11 @@ static float blinnPhongLobe(const glm::vec3& view, const glm::vec3& light, const
 }
 
 glm::vec3 computeLinearGradientModelComparison(RenderState&, const glm::vec3& cameraDirection,
-    const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo, const LinearGradient& gradient)
+    const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo,
+    const LinearGradient& gradient)
 {
-    // The difference keeps its sign, so that both halves of the gradient are reached: below 0 Phong is brighter, above 0
-    // Blinn-Phong is.
+    // The difference keeps its sign, so that both halves of the gradient are reached: below 0 Phong is brighter, above
+    // 0 Blinn-Phong is.
     float difference = 0.0f;
     if (glm::dot(hitInfo.normal, lightDirection) > 0.0f) {
         const float shininess = hitInfo.material.shininess;

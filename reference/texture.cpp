@@ -8,8 +8,10 @@ static float clampToTexels(float x, int size)
 
 glm::vec3 sampleTextureNearest(const Image& image, const glm::vec2& texCoord)
 {
-    const int i = static_cast<int>(clampToTexels(std::floor(texCoord.x * static_cast<float>(image.width)), image.width));
-    const int j = static_cast<int>(clampToTexels(std::floor(texCoord.y * static_cast<float>(image.height)), image.height));
+    const int i
+        = static_cast<int>(clampToTexels(std::floor(texCoord.x * static_cast<float>(image.width)), image.width));
+    const int j
+        = static_cast<int>(clampToTexels(std::floor(texCoord.y * static_cast<float>(image.height)), image.height));
     return image.get_pixel(j * image.width + i);
 }
 

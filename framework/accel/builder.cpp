@@ -26,7 +26,8 @@ namespace {
 
     constexpr int numBins = 16;
     constexpr float traversalCost = 1.0f; // in triangle tests
-    constexpr uint32_t medianLevel = maxLevels / 2; // from here halves: 2^32 triangles fit into the levels that are left
+    constexpr uint32_t medianLevel
+        = maxLevels / 2; // from here halves: 2^32 triangles fit into the levels that are left
 
     struct Bin {
         AxisAlignedBox bounds = emptyBox();
@@ -157,8 +158,8 @@ namespace {
             if (count <= m_leafSize && !(split.cost < leafCost))
                 return 0;
             const auto isBelow = [&](const Reference& r) { return r.centroid[split.axis] < split.position; };
-            const auto middle = split.axis < 0 ? references.begin()
-                                               : std::partition(references.begin(), references.end(), isBelow);
+            const auto middle
+                = split.axis < 0 ? references.begin() : std::partition(references.begin(), references.end(), isBelow);
             const auto below = static_cast<uint32_t>(middle - references.begin());
             if (below == 0 || below == count) // coinciding centroids: any halves will do
                 return count / 2;

@@ -56,7 +56,8 @@ glm::ivec2 parseSize(const std::string& text)
     constexpr int largest = 32768;
     const bool isSize = std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) == 2;
     if (!isSize || size.x < 1 || size.y < 1 || size.x > largest || size.y > largest)
-        throw std::invalid_argument(fmt::format("--size: found '{}', expected WIDTHxHEIGHT, each 1 to {}", text, largest));
+        throw std::invalid_argument(
+            fmt::format("--size: found '{}', expected WIDTHxHEIGHT, each 1 to {}", text, largest));
     return size;
 }
 

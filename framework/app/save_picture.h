@@ -1,8 +1,8 @@
 #pragma once
 #include <filesystem>
-#include <span>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace app {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 #include <glm/vec3.hpp>
+#include <vector>
 
 // The texels of an image as bytes; indexing reads one as a colour in [0, 1], as the 2023-24 edition does.
 class Texels {
@@ -30,8 +30,7 @@ struct Image {
     Image(int width, int height, int channels = 3);
 
     // Colour of a texel, each channel in [0, 1]; channels that the image lacks repeat its last one.
-    template <int N = 3>
-    [[nodiscard]] glm::vec<N, float> get_pixel(int index) const
+    template <int N = 3> [[nodiscard]] glm::vec<N, float> get_pixel(int index) const
     {
         const uint8_t* texel = pixels.data() + static_cast<std::ptrdiff_t>(index) * channels;
         glm::vec<N, float> color;
@@ -41,8 +40,7 @@ struct Image {
     }
 
     // Stores a colour, each channel clamped to [0, 1] and rounded to the nearest of 256 steps.
-    template <int N = 3>
-    void set_pixel(int index, glm::vec<N, float> color)
+    template <int N = 3> void set_pixel(int index, glm::vec<N, float> color)
     {
         uint8_t* texel = pixels.data() + static_cast<std::ptrdiff_t>(index) * channels;
         for (int c = 0; c < std::min(N, channels); ++c)

@@ -1,8 +1,8 @@
 #pragma once
 #include "image.h"
-#include <vector>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 struct Vertex {
     glm::vec3 position;

@@ -1,8 +1,8 @@
 #include "submission/ninja.h"
 #include "submission/paths.h"
+#include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>

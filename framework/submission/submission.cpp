@@ -1,7 +1,9 @@
 #include "submission/submission.h"
 #include "submission/paths.h"
 #include "submission/sources.h"
+#include <algorithm>
 #include <fmt/format.h>
+#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,7 +19,8 @@ namespace {
     fs::path workFolder(const fs::path& directory)
     {
         const std::string path = fs::weakly_canonical(directory).string();
-        const std::string name = fmt::format("{}-{:016x}", fs::path(path).filename().string(), std::hash<std::string> {}(path));
+        const std::string name
+            = fmt::format("{}-{:016x}", fs::path(path).filename().string(), std::hash<std::string> {}(path));
         const fs::path folder = fs::path(buildDirectory) / "submissions" / name;
         fs::create_directories(folder);
         return folder;
@@ -28,20 +31,34 @@ namespace {
         return "obj/" + name + ".o";
     }
 
-    // The lines of a compiler's or linker's output that say what is wrong, from the first that is no warning.
-    std::string errorsOf(const std::string& log)
+    bool holdsAny(const std::string& line, std::initializer_list<const char*> words)
+    {
+        return std::any_of(words.begin(), words.end(), [&](const char* word) { return line.find(word) != line.npos; });
+    }
+
+    // The lines of a compiler's output from the first error on.
+    std::string compilerErrors(const std::string& log)
     {
         std::istringstream lines(log);
         std::string errors;
         int count = 0;
-        for (std::string line; std::getline(lines, line) && count < maxMessageLines;) {
-            if (count == 0 && line.find("error") == std::string::npos && line.find("undefined") == std::string::npos
-                && line.find("multiple definition") == std::string::npos)
-                continue;
-            errors += line + "\n";
-            ++count;
-        }
-        return errors.empty() ? log.substr(0, 500) : errors;
+        for (std::string line; std::getline(lines, line) && count < maxMessageLines;)
+            if (count > 0 || holdsAny(line, { "error" }))
+                errors += line + "\n", ++count;
+        return errors.empty() ? "took more than a minute to compile\n" : errors;
+    }
+
+    // What a linker found missing or twice. A function whose declaration was changed is missing under its own name: the
+    // compiler's warning tells where it stands.
+    std::string linkerErrors(const std::string& linkLog, const std::string& compileLog)
+    {
+        std::istringstream lines(linkLog + compileLog);
+        std::string errors;
+        int count = 0;
+        for (std::string line; std::getline(lines, line) && count < maxMessageLines;)
+            if (holdsAny(line, { "undefined reference", "multiple definition", "no previous declaration" }))
+                errors += line + "\n", ++count;
+        return errors.empty() ? linkLog : errors;
     }
 
 }
@@ -63,8 +80,8 @@ void Submission::buildFeatureWorkers(const std::vector<std::string>& features)
         const State state = m_parts.at(feature).state;
         if (state == State::Refused)
             continue;
-        const std::vector<std::string> own = state == State::Missing ? std::vector<std::string> {}
-                                                                     : std::vector { objectOf(feature) };
+        const std::vector<std::string> own
+            = state == State::Missing ? std::vector<std::string> {} : std::vector { objectOf(feature) };
         m_programs[feature] = "worker-" + feature;
         m_ninja.addLink(m_programs[feature], own, "rest_" + feature);
         wanted.push_back(m_programs[feature]);
@@ -83,10 +100,10 @@ void Submission::linkWithOthers(const std::string& feature)
     const std::string alone = m_programs.at(feature);
     compileAll();
     m_programs[feature] = alone + "-and-others";
-    m_ninja.addLink(m_programs[feature], builtObjects(), "rest_whole");
+    m_ninja.addLink(m_programs[feature], builtObjects(), "rest_questioned");
     m_ninja.build({ m_programs[feature] });
     if (!m_ninja.succeeded(m_programs[feature]))
-        m_parts.at(feature) = { State::Refused, errorsOf(m_ninja.log(alone)) };
+        m_parts.at(feature) = { State::Refused, linkerErrors(m_ninja.log(alone), m_ninja.log(objectOf(feature))) };
 }
 
 void Submission::buildWholeWorker()
@@ -95,7 +112,7 @@ void Submission::buildWholeWorker()
     m_ninja.addLink(wholeProgram, builtObjects(), "rest_whole");
     m_ninja.build({ wholeProgram });
     if (!m_ninja.succeeded(wholeProgram))
-        throw std::runtime_error(errorsOf(m_ninja.log(wholeProgram)));
+        throw std::runtime_error(linkerErrors(m_ninja.log(wholeProgram), ""));
 }
 
 void Submission::compileAll()
@@ -117,7 +134,7 @@ void Submission::noteCompiled(const std::string& name)
     if (m_ninja.succeeded(objectOf(name)))
         part.state = State::Built;
     else
-        part = { State::Refused, errorsOf(m_ninja.log(objectOf(name))) };
+        part = { State::Refused, compilerErrors(m_ninja.log(objectOf(name))) };
 }
 
 std::vector<std::string> Submission::builtObjects() const

@@ -1,9 +1,7 @@
 #include "bvh.h"
-#include "not_written_yet.h"
 
-// Weak like its neighbours. BVH's table of virtual functions stands wherever this one is defined.
+// Says nothing: in the 2023-24 edition intersectRayWithBVH is the student's function, and this is all that is left to do.
 [[gnu::weak]] bool BVH::intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const
 {
-    notWrittenYet("BVH::intersect");
     return intersectRayWithBVH(state, *this, ray, hitInfo);
 }

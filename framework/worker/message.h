@@ -32,11 +32,8 @@ public:
     [[nodiscard]] std::span<const std::byte> bytes() const { return m_bytes; }
 
     template <typename T>
-        requires std::is_trivially_copyable_v<T>
-    void append(const T* values, std::size_t count)
-    {
-        appendBytes(values, count * sizeof(T));
-    }
+    requires std::is_trivially_copyable_v<T>
+    void append(const T* values, std::size_t count) { appendBytes(values, count * sizeof(T)); }
 
 private:
     void appendBytes(const void* bytes, std::size_t count);
@@ -63,8 +60,7 @@ public:
 
     [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
 
-    template <typename T>
-    [[nodiscard]] T read()
+    template <typename T> [[nodiscard]] T read()
     {
         T value;
         *this >> value;
@@ -79,22 +75,19 @@ private:
 template <typename T>
 concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
 
-template <Plain T>
-Message& operator<<(Message& message, const T& value)
+template <Plain T> Message& operator<<(Message& message, const T& value)
 {
     message.append(&value, 1);
     return message;
 }
 
-template <Plain T>
-Reader& operator>>(Reader& reader, T& value)
+template <Plain T> Reader& operator>>(Reader& reader, T& value)
 {
     std::memcpy(static_cast<void*>(&value), reader.take(sizeof(T)).data(), sizeof(T));
     return reader;
 }
 
-template <typename T>
-Message& operator<<(Message& message, const std::vector<T>& values)
+template <typename T> Message& operator<<(Message& message, const std::vector<T>& values)
 {
     message << values.size();
     if constexpr (Plain<T>)
@@ -105,8 +98,7 @@ Message& operator<<(Message& message, const std::vector<T>& values)
     return message;
 }
 
-template <typename T>
-Reader& operator>>(Reader& reader, std::vector<T>& values)
+template <typename T> Reader& operator>>(Reader& reader, std::vector<T>& values)
 {
     const auto count = reader.read<std::size_t>();
     if (count > reader.rest().size()) // every value takes a byte or more: no allocation on a liar's word

@@ -54,8 +54,7 @@ namespace {
     }
 
     // render(scene, bvh, features, camera, screen)
-    template <typename Render>
-    void answerWith(Call& call, const Render& render)
+    template <typename Render> void answerWith(Call& call, const Render& render)
     {
         const auto request = call.input.read<RenderRequest>();
         std::optional<tbb::global_control> threads;
@@ -80,8 +79,10 @@ namespace {
 
     // The whole picture, by the submission's own renderImage where it has one.
     const Probe image("render.image", [](Call& call) {
-        answerWith(call, [](const auto& scene, const auto& bvh, const auto& features, const auto& camera, auto& screen,
-                             uint32_t) { renderImage(scene, bvh, features, camera, screen); });
+        answerWith(call,
+            [](const auto& scene, const auto& bvh, const auto& features, const auto& camera, auto& screen, uint32_t) {
+                renderImage(scene, bvh, features, camera, screen);
+            });
     });
 
     // Every pixel with random numbers that follow from the seed, whatever the submission's renderImage does.

@@ -1,10 +1,10 @@
 #pragma once
 #include "worker/message.h"
 #include <cstdint>
-#include <string>
-#include <vector>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
+#include <vector>
 
 namespace worker {
 

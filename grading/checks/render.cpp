@@ -34,7 +34,8 @@ namespace {
     {
         std::vector<PixelCase> pixels;
         for (int i = 0; i < count; ++i)
-            pixels.push_back({ { random.integer(0, config.size.x - 1), random.integer(0, config.size.y - 1) }, random.seed() });
+            pixels.push_back(
+                { { random.integer(0, config.size.x - 1), random.integer(0, config.size.y - 1) }, random.seed() });
         return pixels;
     }
 
@@ -81,8 +82,10 @@ namespace {
         const Config config = randomConfig(exam.random, 25);
         for (const Samples& samples : samplesOf(exam, sampling, config, randomPixels(exam.random, config, 100))) {
             for (const glm::dvec2& s : samples) {
-                const bool inside = s.x >= -rounding && s.x <= 1.0 + rounding && s.y >= -rounding && s.y <= 1.0 + rounding;
-                expect(inside, sampling.function, "a ray at " + toText(glm::vec2(s)) + " of its pixel", "[0, 1) x [0, 1)");
+                const bool inside
+                    = s.x >= -rounding && s.x <= 1.0 + rounding && s.y >= -rounding && s.y <= 1.0 + rounding;
+                expect(
+                    inside, sampling.function, "a ray at " + toText(glm::vec2(s)) + " of its pixel", "[0, 1) x [0, 1)");
             }
         }
     }
@@ -114,17 +117,21 @@ namespace {
     {
         const double deviations = unevenness(countCells(positions, n));
         expect(deviations < significant, asked,
-            fmt::format("positions {:.0f} standard deviations too uneven over {} x {} cells", deviations, n, n), "uniform ones");
+            fmt::format("positions {:.0f} standard deviations too uneven over {} x {} cells", deviations, n, n),
+            "uniform ones");
         expect(deviations > -significant, asked,
             fmt::format("positions {:.0f} standard deviations too even over {} x {} cells", -deviations, n, n),
             "independent ones, which clump");
     }
 
-    const Check uniformCount("multisampling.uniform.count", 1.0, "numPixelSamples is the number of rays, not its square",
-        [](Exam& exam) { compareCount(exam, uniform, { 2, 5, 16, 25 }); });
+    const Check uniformCount(
+        "multisampling.uniform.count", 1.0, "numPixelSamples is the number of rays, not its square", [](Exam& exam) {
+            compareCount(exam, uniform, { 2, 5, 16, 25 });
+        });
 
     const Check uniformRange("multisampling.uniform.range", 1.0,
-        "pixel (x, y) covers [x, x+1) x [y, y+1) of the resolution, which is mapped to [-1, 1]; random numbers are in [0, 1)",
+        "pixel (x, y) covers [x, x+1) x [y, y+1) of the resolution, which is mapped to [-1, 1]; random numbers are in "
+        "[0, 1)",
         [](Exam& exam) { compareRange(exam, uniform); });
 
     const Check uniformDistribution("multisampling.uniform.distribution", 2.0,
@@ -138,8 +145,10 @@ namespace {
             expectRandom(uniform.function, all, 13);
         });
 
-    const Check stratifiedCount("multisampling.stratified.count", 1.0,
-        "n = round(sqrt(numPixelSamples)), and n x n rays", [](Exam& exam) { compareCount(exam, stratified, { 4, 9, 16, 25 }); });
+    const Check stratifiedCount(
+        "multisampling.stratified.count", 1.0, "n = round(sqrt(numPixelSamples)), and n x n rays", [](Exam& exam) {
+            compareCount(exam, stratified, { 4, 9, 16, 25 });
+        });
 
     const Check stratifiedCells("multisampling.stratified.cells", 2.0,
         "cell (i, j) begins at (i, j) / n of the pixel: integer division gives 0; one ray in each", [](Exam& exam) {
@@ -147,9 +156,11 @@ namespace {
             for (const uint32_t number : { 9u, 16u, 25u }) {
                 const int n = static_cast<int>(std::sqrt(number));
                 const Config config = randomConfig(exam.random, number);
-                for (const Samples& samples : samplesOf(exam, stratified, config, randomPixels(exam.random, config, 50))) {
+                for (const Samples& samples :
+                    samplesOf(exam, stratified, config, randomPixels(exam.random, config, 50))) {
                     const std::vector<int> counts = countCells(samples, n);
-                    // A ray may be rounded over the border of its cell: then its own is empty and the neighbour has two.
+                    // A ray may be rounded over the border of its cell: then its own is empty and the neighbour has
+                    // two.
                     const auto empty = std::count(counts.begin(), counts.end(), 0);
                     expect(empty <= 1 && samples.size() == counts.size(), stratified.function,
                         fmt::format("{} rays, {} of {} cells empty", samples.size(), empty, counts.size()),

@@ -3,7 +3,6 @@
 #include "grading/expect.h"
 #include "grading/picture.h"
 #include "grading/probes/shading_case.h"
-#include "submission/paths.h"
 #include <fmt/format.h>
 
 namespace grading {
@@ -19,7 +18,8 @@ namespace {
         for (float t = random.uniform(-0.9f, -0.6f); t < 0.9f; t += random.uniform(0.1f, 0.6f))
             components.push_back({ t, random.color() });
         for (std::size_t i = components.size(); i > 1; --i)
-            std::swap(components[i - 1], components[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
+            std::swap(
+                components[i - 1], components[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
         if (components.front().t < components.back().t) // never sorted by chance
             std::swap(components.front(), components.back());
         return components;
@@ -34,7 +34,8 @@ namespace {
             const auto& [t0, color0] = components[i - 1];
             const auto& [t1, color1] = components[i];
             if (t <= static_cast<double>(t1)) {
-                const double weight = (t - static_cast<double>(t0)) / (static_cast<double>(t1) - static_cast<double>(t0));
+                const double weight
+                    = (t - static_cast<double>(t0)) / (static_cast<double>(t1) - static_cast<double>(t0));
                 return glm::dvec3(color0) * (1.0 - weight) + glm::dvec3(color1) * weight;
             }
         }
@@ -93,8 +94,8 @@ namespace {
             const Components one { { 0.2f, exam.random.color() } };
             for (const glm::vec3& color : sample(exam, one, { -1.0f, 0.2f, 1.0f }))
                 expectNear("LinearGradient::sample of one component", color, one[0].color, fewRoundings);
-            expectNear("LinearGradient::sample without components", sample(exam, {}, { 0.0f }).front(),
-                glm::dvec3(0.0), 0.0);
+            expectNear(
+                "LinearGradient::sample without components", sample(exam, {}, { 0.0f }).front(), glm::dvec3(0.0), 0.0);
         });
 
     double cosineOf(const ShadingCase& c)
@@ -139,7 +140,8 @@ namespace {
     const Check lightColor("shading.model.light_colour", 1.0, "the gradient's colour is multiplied by lightColor",
         [](Exam& exam) { compareModel(exam, randomCases(exam.random, true, 2.0f * exam.random.color())); });
     const Check behind("shading.model.behind", 0.5,
-        "a light behind the surface has a negative cosine: the lower half of the gradient, or black; never negative light",
+        "a light behind the surface has a negative cosine: the lower half of the gradient, or black; never negative "
+        "light",
         [](Exam& exam) { compareModel(exam, randomCases(exam.random, false, glm::vec3(1.0f))); });
 
     // Red below 0, green at 0, blue above: tells on which side of 0 a colour was taken.
@@ -194,7 +196,8 @@ namespace {
             std::vector<ShadingCase> cases;
             for (int i = 0; i < 50; ++i) {
                 const glm::vec3 n = exam.random.direction();
-                cases.push_back({ n, n, glm::vec3(1.0f), n, glm::vec3(0.5f), glm::vec3(1.0f), 5.0f }); // both lobes are 1
+                cases.push_back(
+                    { n, n, glm::vec3(1.0f), n, glm::vec3(0.5f), glm::vec3(1.0f), 5.0f }); // both lobes are 1
                 cases.push_back({ n, -n, glm::vec3(1.0f), n }); // light behind: neither model shines
             }
             const auto colors = exam.ask<std::vector<glm::vec3>>("shading.comparison", sides, cases);
@@ -204,22 +207,21 @@ namespace {
                     glm::dvec3(0, 1, 0), 10.0 * fewRoundings);
         });
 
-    // The scene has one white point light: the other valid picture is the product with max(cosine, 0), which is what
-    // Lambert makes of white surfaces.
-    const Check picture("shading.picture.gradient", 1.0, "see the checks of computeLinearGradientModel", [](Exam& exam) {
-        const auto request = pictureOf("gradient", { "pixel_samples=1" });
-        const auto came = exam.ask<worker::Rendering>("render.pixels", request);
-        auto expected = exam.askReference<worker::Rendering>("render.pixels", request);
-        try {
-            expectSamePicture(request, came, expected);
-        } catch (const Wrong&) {
-            const auto lambert = exam.askReference<worker::Rendering>(
-                "render.pixels", pictureOf("gradient", { "pixel_samples=1", "shading_model=lambertian" }));
-            for (std::size_t i = 0; i < expected.pixels.size(); ++i)
-                expected.pixels[i] *= lambert.pixels[i];
-            expectSamePicture(request, came, expected);
-        }
-    });
+    // A gradient that the check brings along: the one in computeShading is the student's to change.
+    const Check picture(
+        "shading.picture.gradient", 1.0, "see the checks of computeLinearGradientModel", [](Exam& exam) {
+            const Components components = randomComponents(exam.random);
+            const worker::RenderRequest request = pictureOf("gradient");
+            const auto reference = [&](bool withCosine) {
+                return exam.askReference<worker::Rendering>("shading.picture", request.scene, components, withCosine);
+            };
+            const auto came = exam.ask<worker::Rendering>("shading.picture", request.scene, components, false);
+            try {
+                expectSamePicture(request, came, reference(true)); // the other valid model
+            } catch (const Wrong&) {
+                expectSamePicture(request, came, reference(false));
+            }
+        });
 
 }
 }

@@ -28,7 +28,8 @@ namespace {
 
     glm::dvec3 nearestOracle(const Image& image, const glm::dvec2& uv)
     {
-        return texel(image, static_cast<int>(std::floor(uv.x * image.width)), static_cast<int>(std::floor(uv.y * image.height)));
+        return texel(
+            image, static_cast<int>(std::floor(uv.x * image.width)), static_cast<int>(std::floor(uv.y * image.height)));
     }
 
     glm::dvec3 bilinearOracle(const Image& image, const glm::dvec2& uv)
@@ -81,8 +82,8 @@ namespace {
         }
     }
 
-    // Coordinates in the image, none closer than a twentieth of a texel to where a texel begins or has its centre: there
-    // rounding decides.
+    // Coordinates in the image, none closer than a twentieth of a texel to where a texel begins or has its centre:
+    // there rounding decides.
     std::vector<glm::vec2> insideOf(Random& random, const Image& image, int count)
     {
         std::vector<glm::vec2> coords;
@@ -147,7 +148,8 @@ namespace {
         "texel centres lie at half-integers: the weights are those of texCoord * size - 0.5",
         [](Exam& exam) { compareInside(exam, bilinear); });
     const Check bilinearBorder("texture.bilinear.border", 1.0,
-        "within half a texel of the edge there is no neighbour beyond it: clamp the coordinate before the weights are taken",
+        "within half a texel of the edge there is no neighbour beyond it: clamp the coordinate before the weights are "
+        "taken",
         [](Exam& exam) { compareBorder(exam, bilinear); });
     const Check bilinearOutside("texture.bilinear.outside", 0.5,
         "coordinates below 0 or above 1 take the edge's texels, each axis by its own size",

@@ -62,7 +62,8 @@ namespace {
     std::optional<Crossing> cross(const Line& line, const Sphere& sphere)
     {
         const double radius { sphere.radius };
-        const double tMiddle = glm::dot(glm::dvec3(sphere.center) - line.origin, line.direction) / (line.length * line.length);
+        const double tMiddle
+            = glm::dot(glm::dvec3(sphere.center) - line.origin, line.direction) / (line.length * line.length);
         const glm::dvec3 offset = line.at(tMiddle) - glm::dvec3(sphere.center);
         const double squared = radius * radius - glm::dot(offset, offset);
         const bool isClear = std::abs(glm::length(offset) - radius) > clearRadius * radius;
@@ -74,8 +75,7 @@ namespace {
     }
 
     // Calls f(material, mesh or null, triangle, crossing) for whatever the line meets.
-    template <typename F>
-    void forEachCrossing(const Scene& scene, const Line& line, const F& f)
+    template <typename F> void forEachCrossing(const Scene& scene, const Line& line, const F& f)
     {
         for (const Mesh& mesh : scene.meshes)
             for (const glm::uvec3& triangle : mesh.triangles)
@@ -94,10 +94,11 @@ SceneHit closestHit(const Scene& scene, const Ray& ray)
     const double margin = clearDistance / line.length;
     SceneHit closest;
     closest.t = static_cast<double>(ray.t);
-    forEachCrossing(scene, line, [&](const Material& material, const Mesh* mesh, const glm::uvec3& triangle, const Crossing& c) {
-        if (c.isInside && c.t >= 0.0 && c.t <= closest.t)
-            closest = { true, true, c.t, &material, mesh, triangle, c.barycentric, c.normal };
-    });
+    forEachCrossing(
+        scene, line, [&](const Material& material, const Mesh* mesh, const glm::uvec3& triangle, const Crossing& c) {
+            if (c.isInside && c.t >= 0.0 && c.t <= closest.t)
+                closest = { true, true, c.t, &material, mesh, triangle, c.barycentric, c.normal };
+        });
     int numClose = 0; // whatever might be met before or just behind the closest
     forEachCrossing(scene, line, [&](const Material&, const Mesh*, const glm::uvec3&, const Crossing& c) {
         if (c.t < -margin || c.t > closest.t + margin)
@@ -113,8 +114,10 @@ SceneHit closestHit(const Scene& scene, const Ray& ray)
 bool isBlocked(const Scene& scene, const glm::dvec3& from, const glm::dvec3& to)
 {
     bool blocked = false;
-    forEachCrossing(scene, lineOf(from, to - from),
-        [&](const Material&, const Mesh*, const glm::uvec3&, const Crossing& c) { blocked |= c.isInside && c.t > 0.0 && c.t < 1.0; });
+    forEachCrossing(
+        scene, lineOf(from, to - from), [&](const Material&, const Mesh*, const glm::uvec3&, const Crossing& c) {
+            blocked |= c.isInside && c.t > 0.0 && c.t < 1.0;
+        });
     return blocked;
 }
 

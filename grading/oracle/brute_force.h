@@ -7,7 +7,8 @@ namespace grading {
 // What a ray meets, in double precision, by trying all triangles and spheres.
 struct SceneHit {
     bool isHit = false;
-    bool isClear = true; // false where rounding may decide: ties, edges, grazing rays, a hit close to either end of the ray
+    bool isClear
+        = true; // false where rounding may decide: ties, edges, grazing rays, a hit close to either end of the ray
     double t = 0.0; // in units of |direction|
     const Material* material = nullptr;
 

@@ -52,10 +52,10 @@ void addTriangle(Mesh& mesh, const std::array<Vertex, 3>& corners)
 
 void addTriangles(Scene& scene, Random& random, int count, const glm::vec3& center)
 {
-    scene.meshes.push_back({ .material = randomMaterial(random) });
+    scene.meshes.push_back({ {}, {}, randomMaterial(random) });
     for (int i = 0; i < count; ++i) {
         if (scene.meshes.back().triangles.size() == meshSize)
-            scene.meshes.push_back({ .material = randomMaterial(random) });
+            scene.meshes.push_back({ {}, {}, randomMaterial(random) });
         addTriangle(scene.meshes.back(), randomTriangle(random, center));
     }
 }

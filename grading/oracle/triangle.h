@@ -27,6 +27,13 @@ using Corners = std::array<glm::dvec3, 3>;
     return longest * longest / glm::length(glm::cross(b - a, c - a));
 }
 
+// How many times a rounding counts in coordinates: more in a slender triangle, and for a point that is far away.
+[[nodiscard]] inline double conditionOf(const TrianglePoint& input)
+{
+    const double distance = glm::distance(glm::dvec3(input.triangle.v0), glm::dvec3(input.p));
+    return slenderness(input.triangle) * std::max(1.0, distance / longestEdge(input.triangle));
+}
+
 [[nodiscard]] inline glm::dvec3 pointAt(const Corners& corners, const glm::dvec3& barycentric)
 {
     return barycentric.x * corners[0] + barycentric.y * corners[1] + barycentric.z * corners[2];

@@ -158,7 +158,9 @@ TEST_CASE("A broken OBJ file is refused with its line", "[files]")
         { "normal number", square + "vn 0 x 0\n", "a.obj:5: found \"x\", expected a number" },
         { "overflow", square + "v 0 0 0e999\nf 1 2 3\n",
             "a.obj:5: found a number out of range, expected a finite one" },
-        { "concave", "v -10 7 0\nv -8 7 0\nv -8 8 0\nv -9 8 0\nv -9 9 0\nv -10 9 0\nf 1 2 3 4 5 6\nf 1 2 3\nf 4 5 6\n",
+        { "concave, others after it",
+            "v -10 7 0\nv -8 7 0\nv -8 8 0\nv -9 8 0\nv -9 9 0\nv -10 9 0\nf 1 2 3 4 5 6\n" + square
+                + "f 7 8 9\nf 7 8 9\nf 7 8 9\n",
             "a.obj:7: found a face of 6 corners that cannot be triangulated, expected a convex face or triangles" },
         { "concave, reversed", "v -10 7 0\nv -8 7 0\nv -8 8 0\nv -9 8 0\nv -9 9 0\nv -10 9 0\nf 6 5 4 3 2 1\n",
             "a.obj:7: found a face of 6 corners that cannot be triangulated, expected a convex face or triangles" },

@@ -188,13 +188,22 @@ TEST_CASE("An OBJ file is a scene of its own", "[files]")
 
 TEST_CASE("A scene of the course is found by its type", "[files]")
 {
+    const auto [type, name] = GENERATE(table<SceneType, std::string>(
+        { { SingleTriangle, "single_triangle" }, { Cube, "cube" }, { CubeTextured, "cube_textured" },
+            { CornellBox, "cornell_box" }, { CornellBoxTransparency, "cornell_box_transparency" },
+            { CornellBoxParallelogramLight, "cornell_box_parallelogram_light" }, { Monkey, "monkey" },
+            { Teapot, "teapot" }, { Dragon, "dragon" }, { Spheres, "spheres" } }));
     const TemporaryFolder folder;
-    folder.write("cornell_box_parallelogram_light.toml", "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n");
-    const Scene scene = loadScenePrebuilt(SceneType::CornellBoxParallelogramLight, folder / "");
-    CHECK(scene.type == SceneType::CornellBoxParallelogramLight);
+    CHECK_THROWS_WITH(loadScenePrebuilt(type, folder / ""), Contains(name + ".toml: cannot be read"));
+    folder.write(name + ".toml", "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n");
+    const Scene scene = loadScenePrebuilt(type, folder / "");
+    CHECK(scene.type == type);
     CHECK(scene.spheres.size() == 1);
-    CHECK_THROWS_AS(loadScenePrebuilt(SceneType::Custom, folder / ""), std::invalid_argument);
-    CHECK_THROWS_WITH(loadScenePrebuilt(SceneType::Spheres, folder / ""), Contains("spheres.toml: cannot be read"));
+}
+
+TEST_CASE("A custom scene has no file to be found by its type", "[files]")
+{
+    CHECK_THROWS_AS(loadScenePrebuilt(SceneType::Custom, ""), std::invalid_argument);
 }
 
 TEST_CASE("A broken scene file is refused with its line", "[files]")

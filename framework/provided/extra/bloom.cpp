@@ -1,5 +1,3 @@
 #include "extra.h"
 
-void postprocessImageWithBloom(const Scene&, const Features&, const Trackball&, Screen&)
-{
-}
+void postprocessImageWithBloom(const Scene&, const Features&, const Trackball&, Screen&) { }

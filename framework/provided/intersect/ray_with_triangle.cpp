@@ -1,8 +1,7 @@
 #include "accel/triangle_test.h"
 #include "intersect.h"
 
-bool intersectRayWithTriangle(
-    const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2, Ray& ray, HitInfo& hitInfo)
+bool intersectRayWithTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2, Ray& ray, HitInfo& hitInfo)
 {
     accel::TriangleHit hit;
     if (!accel::testTriangle(v0, v1, v2, ray, hit))

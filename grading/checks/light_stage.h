@@ -1,0 +1,41 @@
+#pragma once
+#include "grading/exam.h"
+#include "grading/probes/shaded_point.h"
+#include "scene.h"
+#include "worker/scene_message.h"
+
+// Shaded points, lights above them, and what stands in between.
+namespace grading {
+
+struct Stage {
+    Scene scene; // what throws shadows: not the shaded surface, unless it is added
+    Features features;
+    ShadedPoint shaded;
+};
+
+// A point of a surface with some opaque material, seen from its front; shading and shadows are on.
+[[nodiscard]] Stage randomStage(Random& random);
+
+// Around the shaded point: a large triangle, or a sphere.
+void addSurface(Stage& stage, Random& random, bool isSphere);
+
+// Where a light is in front of the surface, at least as steep as the cosine says.
+[[nodiscard]] glm::vec3 lightPosition(Random& random, const Stage& stage, float distance, float minCosine = 0.3f);
+
+// A triangle in the line from the shaded point to the light, or behind it: fraction 0 is the point, 1 the light.
+void addPane(Stage& stage, Random& random, const glm::vec3& light, double fraction, const Material& material);
+
+// A triangle around a point, across the normal.
+void addTriangleAround(
+    Scene& scene, const glm::dvec3& center, const glm::vec3& normal, float radius, const Material& material);
+
+// A stage travels as its parts.
+inline worker::Message& operator<<(worker::Message& message, const Stage& stage)
+{
+    return message << stage.scene << stage.features << stage.shaded;
+}
+
+// For messages: where the shaded point is and how far the light.
+[[nodiscard]] std::string describe(const Stage& stage, const glm::vec3& light);
+
+}

@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+// Helpers of the tests that grade whole folders.
+
+// What ./raywork grade said of a folder.
+struct Graded {
+    int exitCode = 0;
+    std::string printed; // stdout and stderr
+    nlohmann::json json; // null if none was written
+
+    [[nodiscard]] double lost(const std::string& feature) const;
+    [[nodiscard]] double lostElsewhere(const std::string& feature) const;
+    // How many checks of the feature have this status.
+    [[nodiscard]] int count(const std::string& feature, const std::string& status) const;
+};
+
+// Grades a folder as a teacher would, by the program.
+[[nodiscard]] Graded grade(const std::filesystem::path& folder, const std::string& options = "");
+
+// A copy of the reference, with one file changed. All copies share a folder, so that only the changed file is compiled
+// again.
+[[nodiscard]] std::filesystem::path copyOfReference(
+    const std::string& changedFile, const std::function<std::string(std::string)>& change);
+
+// text with `from` replaced by `to`; fails the test if `from` does not stand there exactly once.
+[[nodiscard]] std::string replaced(std::string text, const std::string& from, const std::string& to);

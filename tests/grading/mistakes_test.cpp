@@ -1,0 +1,93 @@
+#include "graded.h"
+#include <catch2/catch.hpp>
+
+// Copies of the reference with one mistake each lose points of that feature and of no other.
+
+namespace {
+
+struct Mistake {
+    std::string name, feature, file, from, to, status;
+};
+
+const std::string infiniteLoop = "    for (volatile bool forever = true; forever;) { }\n";
+
+const Mistake mistakes[] {
+    { "transparency blended the wrong way round", "transparency", "recursive",
+        "glm::mix(renderRay(state, passthrough, rayDepth + 1), hitColor, alpha)",
+        "glm::mix(hitColor, renderRay(state, passthrough, rayDepth + 1), alpha)", "wrong" },
+    { "reflected light replaces the colour", "reflection", "recursive", "hitColor += hitInfo.material.ks",
+        "hitColor = hitInfo.material.ks", "wrong" },
+    { "light colour squared", "light", "light", "return computeShading(state, -ray.direction",
+        "return visible * computeShading(state, -ray.direction", "wrong" },
+    { "nearest texel off by a half", "texture", "texture", "std::floor(texCoord.x * static_cast<float>(image.width))",
+        "std::floor(texCoord.x * static_cast<float>(image.width) + 0.5f)", "wrong" },
+    { "last hit kept instead of the nearest", "bvh", "bvh",
+        "if (intersectRayWithTriangle(p.v0.position, p.v1.position, p.v2.position, ray, unused))",
+        "ray.t = FLT_MAX; if (intersectRayWithTriangle(p.v0.position, p.v1.position, p.v2.position, ray, unused))",
+        "wrong" },
+    { "unsorted components taken as sorted", "shading", "shading",
+        "component.t <= ti && (!below || component.t > below->t)", "component.t <= ti", "wrong" },
+    { "interpolated normal not unit", "interpolation", "interpolate", "length > 0.0f ? sum / length : n0", "sum",
+        "wrong" },
+    { "jitter over the whole pixel", "multisampling", "render",
+        "(glm::vec2(x, y) + state.sampler.next_2d()) / static_cast<float>(n)", "state.sampler.next_2d()", "wrong" },
+    { "null pointer dereferenced", "texture", "texture", "    return image.get_pixel(j * image.width + i);",
+        "    return *static_cast<volatile float*>(nullptr) * image.get_pixel(j * image.width + i);", "crashed" },
+    { "endless loop", "light", "light", "    Ray toLight = shadowRay(lightPosition, ray, hitInfo);\n",
+        "    Ray toLight = shadowRay(lightPosition, ray, hitInfo);\n" + infiniteLoop, "timed out" },
+};
+
+}
+
+TEST_CASE("A mistake costs points of its own feature alone", "[grading]")
+{
+    const Mistake& mistake = GENERATE(from_range(mistakes));
+    INFO(mistake.name);
+    const auto folder = copyOfReference(
+        mistake.file, [&](const std::string& text) { return replaced(text, mistake.from, mistake.to); });
+    const Graded graded = grade(folder);
+    INFO(graded.printed);
+    CHECK(graded.exitCode == 0);
+    CHECK(graded.lost(mistake.feature) > 0.0);
+    CHECK(graded.lostElsewhere(mistake.feature) == 0.0);
+    CHECK(graded.count(mistake.feature, mistake.status) > 0);
+}
+
+TEST_CASE("A file that does not compile costs its own feature and shows the compiler's message", "[grading]")
+{
+    const auto folder = copyOfReference("shading", [](const std::string& text) { return text + "int broken = ;\n"; });
+    const Graded graded = grade(folder);
+    INFO(graded.printed);
+    CHECK(graded.lost("shading") == 10.0);
+    CHECK(graded.lostElsewhere("shading") == 0.0);
+    for (const auto& check : graded.json.at("checks")) {
+        if (check.at("feature") != "shading")
+            continue;
+        CHECK(check.at("status") == "refused");
+        CHECK_THAT(check.at("message").get<std::string>(), Catch::Contains("shading.cpp:") && Catch::Contains("error"));
+    }
+}
+
+TEST_CASE("A function with a changed signature is named", "[grading]")
+{
+    const auto folder = copyOfReference("texture", [](const std::string& text) {
+        return replaced(text, "sampleTextureNearest(const Image& image, const glm::vec2& texCoord)",
+            "sampleTextureNearest(const Image& image, glm::vec2& texCoord)");
+    });
+    const Graded graded = grade(folder, "--only texture");
+    INFO(graded.printed);
+    CHECK(graded.count("texture", "not attempted") > 0);
+    CHECK(graded.count("texture", "passed") > 0); // bilinear lookups are right
+    CHECK_THAT(graded.printed, Catch::Contains("sampleTextureNearest"));
+}
+
+TEST_CASE("A file that is missing is not attempted", "[grading]")
+{
+    const auto folder = copyOfReference("bvh", [](const std::string& text) { return text; });
+    std::filesystem::remove(folder / "bvh.cpp");
+    const Graded graded = grade(folder);
+    INFO(graded.printed);
+    CHECK(graded.lost("bvh") == 20.0);
+    CHECK(graded.lostElsewhere("bvh") == 0.0);
+    CHECK(graded.count("bvh", "not attempted") > 0);
+}

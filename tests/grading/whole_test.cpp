@@ -1,0 +1,78 @@
+#include "graded.h"
+#include "grading/feature.h"
+#include "submission/paths.h"
+#include <catch2/catch.hpp>
+
+namespace fs = std::filesystem;
+
+static const fs::path root { submission::sourceDirectory };
+
+TEST_CASE("The reference gets all points", "[grading]")
+{
+    const Graded graded = grade(root / "reference");
+    INFO(graded.printed);
+    CHECK(graded.exitCode == 0);
+    CHECK(graded.json.at("score") == 100);
+    CHECK(graded.json.at("max_score") == 100);
+    for (const grading::Feature& feature : grading::gradedFeatures)
+        CHECK(graded.json.at("features").at(feature.name).at("max_score") == feature.points);
+    for (const auto& check : graded.json.at("checks")) {
+        CHECK(check.at("status") == "passed");
+        CHECK(check.at("message") == "");
+        CHECK(check.at("score") == check.at("max_score"));
+        CHECK(check.at("name").get<std::string>().starts_with(check.at("feature").get<std::string>() + "."));
+    }
+}
+
+TEST_CASE("The reference gets all points for other random inputs", "[grading]")
+{
+    const auto seed = GENERATE(2, 12345);
+    const Graded graded = grade(root / "reference", "--seed " + std::to_string(seed));
+    INFO(graded.printed);
+    CHECK(graded.json.at("score") == 100);
+}
+
+TEST_CASE("The stubs get no points, and every row says that they are not attempted", "[grading]")
+{
+    const Graded graded = grade(root / "student");
+    INFO(graded.printed);
+    CHECK(graded.exitCode == 0);
+    CHECK(graded.json.at("score") == 0);
+    CHECK(graded.json.at("max_score") == 100);
+    for (const auto& check : graded.json.at("checks"))
+        CHECK(check.at("status") == "not attempted");
+}
+
+TEST_CASE("An empty folder is graded like the stubs", "[grading]")
+{
+    const fs::path empty = fs::path(submission::buildDirectory) / "tests" / "empty";
+    fs::create_directories(empty);
+    const Graded graded = grade(empty);
+    INFO(graded.printed);
+    CHECK(graded.exitCode == 0);
+    CHECK(graded.json.at("score") == 0);
+    for (const auto& check : graded.json.at("checks"))
+        CHECK(check.at("status") == "not attempted");
+}
+
+TEST_CASE("One feature can be graded alone", "[grading]")
+{
+    const Graded graded = grade(root / "reference", "--only texture");
+    INFO(graded.printed);
+    CHECK(graded.json.at("max_score") == 10);
+    CHECK(graded.json.at("features").size() == 1);
+}
+
+TEST_CASE("Bad input ends with one line and exit code 2", "[grading]")
+{
+    SECTION("no folder")
+    {
+        const Graded graded = grade("/no/such/folder");
+        CHECK(graded.exitCode == 2);
+        CHECK(graded.printed == "/no/such/folder: found no folder, expected one with the files of a submission\n");
+    }
+    SECTION("no feature")
+    {
+        CHECK(grade(root / "reference", "--only colour").exitCode == 2);
+    }
+}
