@@ -8,32 +8,28 @@
 using Node = BVHInterface::Node;
 using Primitive = BVHInterface::Primitive;
 
-// Where the ray is inside the box, within [0, ray.t]; empty if it misses. The slab method: Kay and Kajiya 1986.
-struct Interval {
-    float entry, exit;
-    [[nodiscard]] bool isEmpty() const { return !(entry <= exit); }
-};
+constexpr float missed = std::numeric_limits<float>::infinity();
 
-static Interval intersectRayWithAABB(const AxisAlignedBox& box, const Ray& ray, const glm::vec3& inverseDirection)
+// The distance at which the ray enters the box, 0 from inside; `missed` if that is not within [0, ray.t]. The slab
+// method: Kay and Kajiya 1986. inverseDirection: 1 / ray.direction, positive infinity along axes that the ray does not
+// move on.
+static inline float intersectRayWithAABB(const AxisAlignedBox& box, const Ray& ray, const glm::vec3& inverseDirection)
 {
     constexpr float rounding = 1.0f + 4.0f * std::numeric_limits<float>::epsilon(); // of a slab's distance, outwards
-    Interval inside { 0.0f, ray.t };
-    for (int axis = 0; axis < 3; ++axis) {
-        const float toLower = (box.lower[axis] - ray.origin[axis]) * inverseDirection[axis];
-        const float toUpper = (box.upper[axis] - ray.origin[axis]) * inverseDirection[axis];
-        const bool forwards = inverseDirection[axis] >= 0.0f;
-        const float entry = forwards ? toLower : toUpper;
-        const float exit = (forwards ? toUpper : toLower) * rounding;
-        // A ray along a face gives 0 * infinity: NaN loses both comparisons, so that the face belongs to the box.
-        inside.entry = entry > inside.entry ? entry : inside.entry;
-        inside.exit = exit < inside.exit ? exit : inside.exit;
-    }
-    return inside;
+    const glm::vec3 toLower = (box.lower - ray.origin) * inverseDirection;
+    const glm::vec3 toUpper = (box.upper - ray.origin) * inverseDirection;
+    // A ray along a face gives 0 * infinity. In this order of the operands NaN loses every comparison, and the face
+    // belongs to the box: min(x, y) is y < x ? y : x.
+    const glm::vec3 in = glm::min(toLower, toUpper);
+    const glm::vec3 out = glm::max(toUpper, toLower);
+    const float entry = std::max(std::max(std::max(0.0f, in.x), in.y), in.z);
+    const float exit = std::min(std::min(std::min(std::numeric_limits<float>::max(), out.x), out.y), out.z);
+    return entry <= std::min(ray.t, exit * rounding) ? entry : missed;
 }
 
-static glm::vec3 intersectionPointRayWithAABB(const Ray& ray, const Interval& inside)
+static glm::vec3 intersectionPointRayWithAABB(const Ray& ray, float entry)
 {
-    return ray.origin + inside.entry * ray.direction;
+    return ray.origin + entry * ray.direction;
 }
 
 // The closest of a leaf's primitives that the ray meets, null if none; shortens the ray to it.
@@ -48,56 +44,52 @@ static const Primitive* intersectRayWithLeaf(std::span<const Primitive> primitiv
     return closest;
 }
 
-// Walks the tree front to back, the nearer child first; tells onVisit(node, interval) of every node that it enters.
+// Walks the tree front to back, the nearer child first; tells onVisit(node, entry) of every node that it enters.
 // Returns the closest primitive that the ray meets, null if none, and shortens the ray to it.
 template <typename OnVisit> static const Primitive* traverse(const BVHInterface& bvh, Ray& ray, const OnVisit& onVisit)
 {
-    struct Entry {
+    struct Visit {
         const Node* node;
-        Interval inside;
+        float entry;
     };
     const auto nodes = bvh.nodes();
     const auto primitives = bvh.primitives();
-    const glm::vec3 inverseDirection = 1.0f / ray.direction;
+    const glm::vec3 inverseDirection = 1.0f / (ray.direction + 0.0f); // -0 + 0 is +0
     const auto enter = [&](uint32_t node) {
-        return Entry { &nodes[node], intersectRayWithAABB(nodes[node].aabb, ray, inverseDirection) };
+        return Visit { &nodes[node], intersectRayWithAABB(nodes[node].aabb, ray, inverseDirection) };
     };
 
-    std::array<Entry, 64> stack; // a level leaves at most one node behind, and the builder stops at 64 levels
-    std::size_t stackSize = 0;
-    const auto push = [&](const Entry& entry) {
-        if (!entry.inside.isEmpty())
-            stack[stackSize++] = entry;
-    };
-
+    std::array<Visit, 64> postponed; // at most one sibling a level, and the builder stops at 64 levels
+    std::size_t numPostponed = 0;
     const Primitive* closest = nullptr;
-    push(enter(BVH::RootIndex));
-    while (stackSize > 0) {
-        const auto [node, inside] = stack[--stackSize];
-        if (inside.entry > ray.t) // something nearer was found meanwhile
-            continue;
-        onVisit(*node, inside);
-        if (node->isLeaf()) {
-            if (const Primitive* closer
-                = intersectRayWithLeaf(primitives.subspan(node->primitiveOffset(), node->primitiveCount()), ray))
+    for (Visit visit = enter(BVH::RootIndex);;) {
+        if (visit.entry <= ray.t) { // otherwise missed, or something nearer was found meanwhile
+            onVisit(*visit.node, visit.entry);
+            if (!visit.node->isLeaf()) {
+                Visit nearer = enter(visit.node->leftChild());
+                Visit farther = enter(visit.node->rightChild());
+                if (farther.entry < nearer.entry)
+                    std::swap(nearer, farther);
+                if (farther.entry != missed)
+                    postponed[numPostponed++] = farther;
+                visit = nearer;
+                continue;
+            }
+            const auto leaf = primitives.subspan(visit.node->primitiveOffset(), visit.node->primitiveCount());
+            if (const Primitive* closer = intersectRayWithLeaf(leaf, ray))
                 closest = closer;
-            continue;
         }
-        Entry near = enter(node->leftChild());
-        Entry far = enter(node->rightChild());
-        if (far.inside.entry < near.inside.entry)
-            std::swap(near, far);
-        push(far);
-        push(near);
+        if (numPostponed == 0)
+            return closest;
+        visit = postponed[--numPostponed];
     }
-    return closest;
 }
 
 // How many boxes a search for the closest hit enters.
 static uint32_t countIntersectedAABBs(const BVHInterface& bvh, Ray ray)
 {
     uint32_t count = 0;
-    traverse(bvh, ray, [&](const Node&, const Interval&) { ++count; });
+    traverse(bvh, ray, [&](const Node&, float) { ++count; });
     return count;
 }
 
@@ -106,10 +98,10 @@ static void drawTraversal(const BVHInterface& bvh, Ray ray)
 {
     const float last = static_cast<float>(std::max(countIntersectedAABBs(bvh, ray), 2u) - 1u);
     float visited = 0.0f;
-    const Primitive* closest = traverse(bvh, ray, [&](const Node& node, const Interval& inside) {
+    const Primitive* closest = traverse(bvh, ray, [&](const Node& node, float entry) {
         const glm::vec3 color { 1.0f, 1.0f - visited++ / last, 0.0f };
         drawAABB(node.aabb, DrawMode::Wireframe, color);
-        drawSphere(intersectionPointRayWithAABB(ray, inside), 0.005f, color);
+        drawSphere(intersectionPointRayWithAABB(ray, entry), 0.005f, color);
     });
     if (closest)
         drawTriangle(closest->v0, closest->v1, closest->v2);
@@ -135,7 +127,7 @@ static bool intersectRayWithBVHImplemented(RenderState& state, const BVHInterfac
 {
     if (state.features.enableDebugDraw)
         drawTraversal(bvh, ray);
-    const Primitive* closest = traverse(bvh, ray, [](const Node&, const Interval&) {});
+    const Primitive* closest = traverse(bvh, ray, [](const Node&, float) {});
     if (closest)
         updateHitInfo(state, *closest, ray, hitInfo);
     bool hitSphere = false;

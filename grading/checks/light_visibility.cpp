@@ -18,15 +18,15 @@ namespace {
             inWords(expected));
     }
 
-    // From a twentieth of the scene's size to fifty times.
+    // From a tenth of the scene's size to fifty times.
     float anyDistance(Random& random)
     {
-        return std::pow(10.0f, random.uniform(-1.3f, 1.7f));
+        return std::pow(10.0f, random.uniform(-1.0f, 1.7f));
     }
 
     void addBlocker(Stage& stage, Random& random, const glm::vec3& light)
     {
-        addPane(stage, random, light, static_cast<double>(random.uniform(0.2f, 0.8f)), randomMaterial(random));
+        addPane(stage, random, light, static_cast<double>(random.uniform(0.3f, 0.8f)), randomMaterial(random));
     }
 
     void addBlockingSphere(Stage& stage, Random& random, const glm::vec3& light)

@@ -9,7 +9,8 @@ namespace {
 
     constexpr float cosineOfGrazing = 0.2f; // offsets along a ray that grazes the surface hardly leave it
 
-    // A ray that meets a surface within 3 of the origin, at an angle to the normal with a cosine between the two.
+    // A ray that meets a surface at a point within 3.3 of the origin, at an angle to the normal with a cosine between
+    // the two.
     Incidence incidenceAt(Random& random, float minCosine, float maxCosine)
     {
         Incidence incidence;
@@ -79,7 +80,7 @@ namespace {
 
     void compareOrigin(Exam& exam, const Way& way)
     {
-        // Right offsets are from 1e-5 to 1e-3. Points of up to 3.7 are rounded by 6e-7 in all: the smallest is told
+        // Right offsets are from 1e-5 to 1e-3. Points of up to 3.3 are rounded by 6e-7 in all: the smallest is told
         // from 1e-6, which is too small, and remains on its side of the surface by 1e-6 at least.
         constexpr double leastOffset = 5e-6;
         constexpr double mostOffset = 2e-3;
@@ -148,7 +149,7 @@ namespace {
             "{} with ks {}, transparency {}, hitColor {} and {} along the further ray", way.componentFunction,
             toText(material.ks), toText(material.transparency), toText(recursion.hitColor), toText(glm::vec3(further)));
         const glm::dvec3 expected = way.combine(glm::dvec3(recursion.hitColor), material, further);
-        expectNear(asked, answer.hitColor, expected, 4.0 * fewRoundings); // of colours of up to 8
+        expectNear(asked, answer.hitColor, expected, 4.0 * fewRoundings); // of colours of up to 4
     }
 
     Material mirror(const glm::vec3& ks)

@@ -79,5 +79,13 @@ check_files_and_lines_are_short() {
     [[ -z $found ]] || complain "$found"
 }
 
+# CMake's lists break at these: names with them, and others beside them, would silently not be run.
+check_names_of_tests_have_no_brackets_or_semicolons() {
+    local found
+    found=$(sources | xargs grep -sHnE 'TEST_CASE\("[^"]*[];[]' | sed -E 's/^([^:]*:[0-9]+):/\1: cannot be discovered: /') ||
+        return 0
+    complain "$found"
+}
+
 "$@"
 exit $failed

@@ -53,7 +53,7 @@ constexpr double slenderRounding = 1e-4;
 
 }
 
-TEST_CASE("Barycentrics, sum to one and stay in [0, 1], whatever the triangle and the point", "[interpolate]")
+TEST_CASE("Barycentrics, sum to one and lie between 0 and 1, whatever the triangle and the point", "[interpolate]")
 {
     Random random(1, "sum");
     for (int i = 0; i < 4000; ++i) {

@@ -142,7 +142,7 @@ TEST_CASE("Stratified sampling finds an edge with less noise than uniform sampli
     CHECK(variance(generatePixelRaysStratified) < 0.5 * variance(generatePixelRaysUniform));
 }
 
-TEST_CASE("The features select the sampling; one sample goes through the centre", "[render]")
+TEST_CASE("The features select the sampling, and one sample goes through the centre", "[render]")
 {
     World world;
     const Trackball camera = makeCamera();

@@ -263,7 +263,7 @@ TEST_CASE("Turning surface, light and view together changes no model", "[shading
     }
 }
 
-TEST_CASE("The features select the model; without shading the surface has its own colour", "[shading]")
+TEST_CASE("The features select the model, and without shading the surface has its own colour", "[shading]")
 {
     World world;
     Random random(1, "select");

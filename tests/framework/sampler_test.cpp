@@ -23,7 +23,7 @@ std::size_t cellOf(float x, float y)
 
 }
 
-TEST_CASE("Random numbers lie in [0, 1)", "[sampler]")
+TEST_CASE("Random numbers are 0 or more and less than 1", "[sampler]")
 {
     Sampler sampler(1);
     float least = 1.0f, greatest = 0.0f;

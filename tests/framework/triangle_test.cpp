@@ -111,7 +111,7 @@ TEST_CASE("Triangle, its edges and corners belong to it", "[triangle]")
         CHECK_FALSE(hitOf(simple, { glm::vec3(at, 2), down }));
 }
 
-TEST_CASE("Triangle, the distance lies in [0, ray.t], both ends included", "[triangle]")
+TEST_CASE("Triangle, the distance lies between 0 and the end of the ray, both included", "[triangle]")
 {
     CHECK(hitOf(simple, { { 1, 1, 2 }, down, 2.0f }).value().t == 2.0f);
     CHECK(hitOf(simple, { { 1, 1, 2 }, 4.0f * down, 0.5f }).value().t == 0.5f); // in units of the direction
