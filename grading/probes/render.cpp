@@ -22,7 +22,8 @@ namespace {
         call.output << rays;
     }
 
-    const worker::Probe uniform("render.uniform", [](worker::Call& call) { generateAll(call, generatePixelRaysUniform); });
+    const worker::Probe uniform(
+        "render.uniform", [](worker::Call& call) { generateAll(call, generatePixelRaysUniform); });
     const worker::Probe stratified(
         "render.stratified", [](worker::Call& call) { generateAll(call, generatePixelRaysStratified); });
 

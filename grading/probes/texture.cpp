@@ -18,7 +18,8 @@ namespace {
     }
 
     const worker::Probe nearest("texture.nearest", [](worker::Call& call) { sampleAll(call, sampleTextureNearest); });
-    const worker::Probe bilinear("texture.bilinear", [](worker::Call& call) { sampleAll(call, sampleTextureBilinear); });
+    const worker::Probe bilinear(
+        "texture.bilinear", [](worker::Call& call) { sampleAll(call, sampleTextureBilinear); });
 
 }
 }

@@ -220,6 +220,21 @@ TEST_CASE("A point light gives the shading from its direction, at any distance a
     }
 }
 
+TEST_CASE("An area light without extent is a point light, for any number of samples", "[light]")
+{
+    World world({}, shaded);
+    const glm::vec3 none { 0.0f };
+    const SegmentLight point { above, above, lightColor, lightColor };
+    const ParallelogramLight place { above, none, none, lightColor, lightColor, lightColor, lightColor };
+    const glm::dvec3 expected = lambertAt(glm::dvec3(above), glm::dvec3(lightColor));
+    for (const uint32_t numSamples : { 1u, 2u, 3u, 16u }) {
+        const auto segmentMean = computeContributionSegmentLight(world.state, point, view, floorHit(), numSamples);
+        const auto mean = computeContributionParallelogramLight(world.state, place, view, floorHit(), numSamples);
+        CHECK(distance(segmentMean, expected) < fewRoundings);
+        CHECK(distance(mean, expected) < fewRoundings);
+    }
+}
+
 TEST_CASE("The mean over a segment light approaches the integral", "[light]")
 {
     World world({}, shaded);

@@ -5,6 +5,7 @@
 #include "world.h"
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
+#include <thread>
 #include <type_traits>
 
 using namespace tests;
@@ -97,4 +98,20 @@ TEST_CASE("The counting tree counts the rays of all threads and changes no pixel
     CHECK(counting.numLevels() == world.bvh.numLevels());
     CHECK(counting.nodes().data() == world.bvh.nodes().data());
     CHECK(counting.primitives().data() == world.bvh.primitives().data());
+}
+
+TEST_CASE("The rays of a thread that has ended still count", "[render_image]")
+{
+    World world;
+    const accel::CountingBVH counting(world.bvh);
+    const uint64_t before = accel::CountingBVH::numRays();
+    const auto trace = [&] {
+        Ray ray;
+        HitInfo hit;
+        (void)counting.intersect(world.state, ray, hit);
+    };
+    for (int i = 0; i < 5; ++i)
+        std::thread(trace).join();
+    trace();
+    CHECK(accel::CountingBVH::numRays() - before == 6);
 }

@@ -3,6 +3,7 @@
 #include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <glm/common.hpp>
 #include <glm/gtx/component_wise.hpp>
 #include <sys/wait.h>
 
@@ -22,7 +23,7 @@ fs::path firstEdition()
     const fs::path folder = work / "course_2023";
     fs::create_directories(folder);
     for (const fs::path& files : { here / "course", here / "course_2023" })
-        fs::copy(files, folder, fs::copy_options::overwrite_existing);
+        fs::copy(files, folder, fs::copy_options::overwrite_existing | fs::copy_options::recursive);
     return folder;
 }
 

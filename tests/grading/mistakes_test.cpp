@@ -1,5 +1,6 @@
 #include "graded.h"
 #include <catch2/catch.hpp>
+#include <vector>
 
 // Copies of the reference with one mistake each lose points of that feature and of no other.
 
@@ -11,7 +12,7 @@ struct Mistake {
 
 const std::string infiniteLoop = "    for (volatile bool forever = true; forever;) { }\n";
 
-const Mistake mistakes[] {
+const std::vector<Mistake> mistakes {
     { "transparency blended the wrong way round", "transparency", "recursive",
         "glm::mix(renderRay(state, passthrough, rayDepth + 1), hitColor, alpha)",
         "glm::mix(hitColor, renderRay(state, passthrough, rayDepth + 1), alpha)", "wrong" },
@@ -41,7 +42,7 @@ const Mistake mistakes[] {
 
 TEST_CASE("A mistake costs points of its own feature alone", "[grading]")
 {
-    const Mistake& mistake = GENERATE(from_range(mistakes));
+    const Mistake mistake = GENERATE(from_range(mistakes));
     INFO(mistake.name);
     const auto folder = copyOfReference(
         mistake.file, [&](const std::string& text) { return replaced(text, mistake.from, mistake.to); });
