@@ -1,7 +1,6 @@
 // ./raywork render: renders a scene with a submission's code, in a process of its own.
 #include "app/progress_bar.h"
 #include "app/save_picture.h"
-#include "files/error.h"
 #include "submission/paths.h"
 #include "submission/submission.h"
 #include "worker/process.h"
@@ -134,6 +133,8 @@ int main(int argc, char** argv)
         app::clearProgressBar();
         fmt::print(stderr, "the code of {} failed: {}\n", options.with, failure.what());
         return SubmissionFailed;
+    } catch (const app::PictureNotSaved&) {
+        return BadInput;
     } catch (const std::exception& error) {
         app::clearProgressBar();
         fmt::print(stderr, "{}\n", error.what());
