@@ -31,25 +31,21 @@ void declare(CLI::App& cli, Options& options)
     cli.footer("Exit codes: 0 graded, whatever the score; 2 bad input; 75 the grader failed.");
 }
 
-// On a terminal: the check that was last done.
-void showProgress(const grading::Row& row)
+// On a terminal: what is being done, in place of what was.
+void showProgress(std::string_view what)
 {
     if (isatty(STDERR_FILENO))
-        fmt::print(stderr, "\r\033[K{}", row.name);
-}
-
-void clearProgress()
-{
-    if (isatty(STDERR_FILENO))
-        fmt::print(stderr, "\r\033[K");
+        fmt::print(stderr, "\r\033[K{}", what);
 }
 
 void run(const Options& options)
 {
     const auto referenceWorker = std::filesystem::path(submission::buildDirectory) / "grading" / "reference-worker";
     const grading::Assignment assignment { options.submission, referenceWorker, options.onlyFeature, options.seed };
-    const std::vector<grading::Row> rows = grading::grade(assignment, showProgress);
-    clearProgress();
+    showProgress("compiling");
+    const std::vector<grading::Row> rows
+        = grading::grade(assignment, [](const grading::Row& row) { showProgress(row.name); });
+    showProgress("");
     grading::printTable(rows, isatty(STDOUT_FILENO) != 0);
     if (!options.json.empty())
         grading::writeJson(options.json, rows);
@@ -71,11 +67,11 @@ int main(int argc, char** argv)
         run(options);
         return Graded;
     } catch (const files::Error& error) {
-        clearProgress();
+        showProgress("");
         fmt::print(stderr, "{}\n", error.what());
         return BadInput;
     } catch (const std::exception& error) {
-        clearProgress();
+        showProgress("");
         fmt::print(stderr, "the grader failed: {}\n", error.what());
         return GraderFailed;
     }

@@ -1,6 +1,8 @@
 #include "submission/sources.h"
 #include "files/error.h"
 #include "submission/features.h"
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -24,22 +26,30 @@ namespace {
         std::vector<std::string> names = features;
         if (fs::exists(submission / "extra.cpp"))
             names.emplace_back("extra");
-        std::error_code none;
-        for (const fs::directory_entry& entry : fs::directory_iterator(submission / "extra", none))
-            if (entry.path().extension() == ".cpp")
-                names.push_back("extra/" + entry.path().stem().string());
+        if (fs::is_directory(fs::symlink_status(submission / "extra")))
+            for (const fs::directory_entry& entry : fs::directory_iterator(submission / "extra"))
+                if (entry.path().extension() == ".cpp")
+                    names.push_back("extra/" + entry.path().stem().string());
         return names;
+    }
+
+    // Names go to a shell and into a file of Ninja's.
+    bool isPlainName(const std::string& name)
+    {
+        return std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
     }
 
     Part inspect(const fs::path& source)
     {
+        if (!isPlainName(source.stem().string()))
+            return { State::Refused, "its name has characters other than letters, digits and _\n" };
         const fs::file_status status = fs::symlink_status(source);
         if (!fs::exists(status))
             return { State::Missing, "" };
         if (!fs::is_regular_file(status))
-            return { State::Refused, "not a plain file" };
+            return { State::Refused, "not a plain file\n" };
         if (fs::file_size(source) > maxBytes)
-            return { State::Refused, "larger than a megabyte" };
+            return { State::Refused, "larger than a megabyte\n" };
         return { State::Taken, "" };
     }
 

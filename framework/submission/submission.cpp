@@ -19,9 +19,8 @@ namespace {
     fs::path workFolder(const fs::path& directory)
     {
         const std::string path = fs::weakly_canonical(directory).string();
-        const std::string name
-            = fmt::format("{}-{:016x}", fs::path(path).filename().string(), std::hash<std::string> {}(path));
-        const fs::path folder = fs::path(buildDirectory) / "submissions" / name;
+        const fs::path folder
+            = fs::path(buildDirectory) / "submissions" / fmt::format("{:016x}", std::hash<std::string> {}(path));
         fs::create_directories(folder);
         return folder;
     }
@@ -65,6 +64,7 @@ namespace {
 
 Submission::Submission(const fs::path& directory)
     : m_work(workFolder(directory))
+    , m_lock(m_work)
     , m_parts(takeSources(directory, m_work))
     , m_ninja(m_work)
 {

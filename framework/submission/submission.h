@@ -1,4 +1,5 @@
 #pragma once
+#include "submission/folder_lock.h"
 #include "submission/ninja.h"
 #include "submission/part.h"
 #include <filesystem>
@@ -35,6 +36,7 @@ private:
     [[nodiscard]] std::vector<std::string> builtObjects() const;
 
     std::filesystem::path m_work;
+    FolderLock m_lock;
     Parts m_parts;
     Ninja m_ninja;
     std::map<std::string, std::string> m_programs; // by feature

@@ -19,7 +19,6 @@ namespace worker {
 namespace {
 
     constexpr std::size_t maxAnswerBytes = std::size_t(1) << 32; // a picture of 16384 x 16384 pixels is 3 GiB
-    constexpr std::size_t printedTail = 2000; // characters of what it printed that are worth showing
 
     [[noreturn]] void throwErrno(const char* what)
     {
@@ -117,7 +116,7 @@ Answer Process::ask(const std::string& probe, const Message& input, std::chrono:
 void Process::fail(Transfer transfer)
 {
     if (transfer == Transfer::Closed)
-        throw Failure(Failure::Kind::Crashed, describeEnd());
+        throw Failure(Failure::Kind::Crashed, describeEnd() + lastPrinted());
     kill();
     if (transfer == Transfer::TimedOut)
         throw Failure(Failure::Kind::TimedOut, "no answer in time");
@@ -153,15 +152,17 @@ void Process::kill()
     m_pid = -1;
 }
 
-std::string Process::printed() const
+// What an assertion or a sanitizer says stands at the end of what was printed.
+std::string Process::lastPrinted() const
 {
     if (m_output < 0)
         return {};
+    constexpr off_t tail = 300; // characters
     const off_t size = std::max<off_t>(lseek(m_output, 0, SEEK_END), 0);
-    std::string text(std::min(static_cast<std::size_t>(size), printedTail), '\0');
+    std::string text(static_cast<std::size_t>(std::min(size, tail)), '\0');
     const ssize_t got = pread(m_output, text.data(), text.size(), size - static_cast<off_t>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-    return text;
+    return text.empty() ? text : "; it printed last: " + text;
 }
 
 }

@@ -52,12 +52,10 @@ public:
     [[nodiscard]] Answer ask(const std::string& probe, const Message& input, std::chrono::milliseconds timeout,
         const std::function<void(float)>& onProgress = {});
 
-    // The end of what it printed so far, when captured.
-    [[nodiscard]] std::string printed() const;
-
 private:
     [[noreturn]] void fail(Transfer transfer);
     [[nodiscard]] std::string describeEnd();
+    [[nodiscard]] std::string lastPrinted() const;
     void kill();
 
     int m_socket = -1;

@@ -1,0 +1,115 @@
+#include "files/picture.h"
+#include "submission/paths.h"
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sys/wait.h>
+
+// The renderer as it is called.
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path work = fs::path(submission::buildDirectory) / "tests" / "rendered";
+const std::string scenes = std::string(submission::sourceDirectory) + "/scenes/";
+
+struct Outcome {
+    int exitCode;
+    std::string errors;
+};
+
+Outcome render(const std::string& arguments)
+{
+    fs::create_directories(work);
+    const std::string errors = (work / "errors.txt").string();
+    const std::string program = std::string(submission::buildDirectory) + "/framework/raywork-render ";
+    const int status = std::system((program + arguments + " > /dev/null 2> '" + errors + "'").c_str());
+    std::ifstream file(errors);
+    return { WEXITSTATUS(status), { std::istreambuf_iterator<char>(file), {} } };
+}
+
+std::string sceneFile(const std::string& text)
+{
+    fs::create_directories(work);
+    const fs::path path = work / "scene.toml";
+    std::ofstream(path) << text;
+    return path.string();
+}
+
+std::string bytesOf(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return { std::istreambuf_iterator<char>(file), {} };
+}
+
+}
+
+TEST_CASE("Bad input to render ends with exit code 2 and one line that says where", "[render]")
+{
+    struct Case {
+        std::string text, arguments, found; // text: of a scene file, where the arguments name none
+    };
+    const Case c = GENERATE(values<Case>({
+        { "size = [0, 0]\n", "", "scene.toml:1: " },
+        { "\nlights = 3\n", "", "scene.toml:2: found the unknown key \"lights\"" },
+        { "", "no_such_scene.toml", "no_such_scene.toml: " },
+        { "", scenes + "cube.toml --set shadow=true", "unknown feature \"shadow\"" },
+        { "", scenes + "cube.toml --set shadows", "expected feature=value" },
+        { "", scenes + "cube.toml --size 0x10", "expected WIDTHxHEIGHT" },
+        { "", scenes + "cube.toml --with no_such_folder", "no_such_folder: found no folder" },
+    }));
+    INFO(c.text << c.arguments);
+    const std::string arguments = c.arguments.empty() ? sceneFile(c.text) : c.arguments;
+    const Outcome outcome = render(arguments + " -o '" + (work / "none.png").string() + "'");
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.errors, Catch::Contains(c.found));
+    CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+    CHECK_FALSE(fs::exists(work / "none.png"));
+}
+
+TEST_CASE("A picture has the size asked for, and the same bytes for any number of threads", "[render]")
+{
+    const std::string arguments
+        = scenes + "cornell_box_parallelogram_light.toml --size 48x32 --samples 4 --stratified -o '";
+    REQUIRE(render(arguments + (work / "one.png").string() + "' --threads 1").exitCode == 0);
+    REQUIRE(render(arguments + (work / "many.png").string() + "'").exitCode == 0);
+    CHECK(bytesOf(work / "one.png") == bytesOf(work / "many.png"));
+    const auto picture = files::loadPicture(work / "one.png");
+    CHECK(picture->width == 48);
+    CHECK(picture->height == 32);
+}
+
+TEST_CASE("The stubs render every scene's silhouette from day one", "[render]")
+{
+    const Outcome outcome
+        = render(scenes + "cornell_box.toml --with student --size 32x32 -o '" + (work / "student.png").string() + "'");
+    CHECK(outcome.exitCode == 0);
+    CHECK_THAT(outcome.errors, Catch::Contains("computeContributionPointLight is not written yet"));
+    const auto picture = files::loadPicture(work / "student.png");
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < picture->pixels.size(); ++i)
+        sum += picture->pixels[i].r;
+    CHECK(sum / static_cast<float>(picture->pixels.size()) > 0.05f); // something is to be seen
+}
+
+TEST_CASE("An OpenEXR picture can be written, a JPEG cannot", "[render]")
+{
+    const std::string arguments = scenes + "cube.toml --size 8x8 --samples 1 -o '";
+    CHECK(render(arguments + (work / "cube.exr").string() + "'").exitCode == 0);
+    CHECK(bytesOf(work / "cube.exr").substr(0, 4) == "\x76\x2f\x31\x01"); // the magic number of OpenEXR
+    CHECK(render(arguments + (work / "cube.jpg").string() + "'").exitCode == 2);
+}
+
+TEST_CASE("A file name is never a command", "[render]")
+{
+    const fs::path folder = work / "named";
+    fs::create_directories(folder / "extra");
+    std::ofstream(folder / "extra" / "a; touch broken; .cpp") << "int x;\n";
+    const Outcome outcome = render(scenes + "cube.toml --size 8x8 --samples 1 --with '" + folder.string() + "' -o '"
+        + (work / "named.png").string() + "'");
+    CHECK(outcome.exitCode == 0);
+    CHECK_THAT(outcome.errors, Catch::Contains("its name has characters other than"));
+}
