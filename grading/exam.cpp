@@ -23,10 +23,11 @@ NotAttempted::NotAttempted(const std::vector<std::string>& functions)
 {
 }
 
-Exam::Exam(std::filesystem::path submission, std::filesystem::path reference, Random random_)
+Exam::Exam(std::filesystem::path submission, std::filesystem::path reference, Random random_, SlowProbes& slowProbes)
     : random(std::move(random_))
     , m_submission { std::move(submission), nullptr }
     , m_reference { std::move(reference), nullptr }
+    , m_slowProbes(slowProbes)
 {
 }
 
@@ -38,6 +39,30 @@ worker::Message Exam::run(Side& side, const std::string& probe, const worker::Me
     if (!answer.unwritten.empty())
         throw NotAttempted(answer.unwritten);
     return std::move(answer.output);
+}
+
+worker::Message Exam::runReference(const std::string& probe, const worker::Message& message)
+{
+    try {
+        return run(m_reference, probe, message);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(fmt::format("the reference's worker, asked for {}: {}", probe, error.what()));
+    }
+}
+
+worker::Message Exam::runSubmission(const std::string& probe, const worker::Message& message)
+{
+    using Failure = worker::Failure;
+    if (m_slowProbes.contains(probe))
+        throw Failure(
+            Failure::Kind::TimedOut, fmt::format("not asked: {} gave an earlier check no answer in time", probe));
+    try {
+        return run(m_submission, probe, message);
+    } catch (const Failure& failure) {
+        if (failure.kind == Failure::Kind::TimedOut)
+            m_slowProbes.insert(probe);
+        throw;
+    }
 }
 
 }

@@ -3,6 +3,7 @@
 #include "worker/process.h"
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -20,11 +21,15 @@ public:
     explicit NotAttempted(const std::vector<std::string>& functions);
 };
 
+// Probes that a submission did not answer in time. They are not asked again: an endless loop is met by many checks, and
+// a teacher has three hundred folders.
+using SlowProbes = std::set<std::string>;
+
 // One check on one submission: its random inputs and its two workers. Each starts when it is first asked; a check never
 // sees what another one left behind.
 class Exam {
 public:
-    Exam(std::filesystem::path submission, std::filesystem::path reference, Random random);
+    Exam(std::filesystem::path submission, std::filesystem::path reference, Random random, SlowProbes& slowProbes);
 
     Random random;
 
@@ -33,14 +38,14 @@ public:
     template <typename Result, typename... Inputs>
     [[nodiscard]] Result ask(const std::string& probe, const Inputs&... inputs)
     {
-        return get<Result>(m_submission, probe, inputs...);
+        return get<Result>([&](const worker::Message& message) { return runSubmission(probe, message); }, inputs...);
     }
 
-    // Asks the reference's.
+    // Asks the reference's. Throws std::runtime_error when that fails: then there is nothing to judge by.
     template <typename Result, typename... Inputs>
     [[nodiscard]] Result askReference(const std::string& probe, const Inputs&... inputs)
     {
-        return get<Result>(m_reference, probe, inputs...);
+        return get<Result>([&](const worker::Message& message) { return runReference(probe, message); }, inputs...);
     }
 
 private:
@@ -49,20 +54,23 @@ private:
         std::unique_ptr<worker::Process> process;
     };
 
-    template <typename Result, typename... Inputs>
-    Result get(Side& side, const std::string& probe, const Inputs&... inputs)
+    template <typename Result, typename Run, typename... Inputs>
+    Result get(const Run& runProbe, const Inputs&... inputs)
     {
         worker::Message message;
         (message << ... << inputs);
-        const worker::Message answer = run(side, probe, message);
+        const worker::Message answer = runProbe(message);
         worker::Reader reader { answer };
         return reader.read<Result>();
     }
 
     worker::Message run(Side& side, const std::string& probe, const worker::Message& message);
+    worker::Message runReference(const std::string& probe, const worker::Message& message);
+    worker::Message runSubmission(const std::string& probe, const worker::Message& message);
 
     Side m_submission;
     Side m_reference;
+    SlowProbes& m_slowProbes;
 };
 
 }

@@ -107,7 +107,7 @@ void run(const Options& options)
     submission.buildWholeWorker();
     for (const auto& [name, part] : submission.parts())
         if (part.state == submission::State::Refused)
-            fmt::print(stderr, "{}.cpp is left out:\n{}", name, part.message);
+            fmt::print(stderr, "{}.cpp is left out. {}", name, part.message);
 
     const worker::Rendering rendering = render(submission.wholeWorker(), request);
     app::savePicture(output, rendering.size, rendering.pixels);

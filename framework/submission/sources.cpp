@@ -39,17 +39,22 @@ namespace {
         return std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
     }
 
+    Part refused(const fs::path& source, const std::string& why)
+    {
+        return { State::Refused, source.filename().string() + ": " + why + "\n" };
+    }
+
     Part inspect(const fs::path& source)
     {
         if (!isPlainName(source.stem().string()))
-            return { State::Refused, "its name has characters other than letters, digits and _\n" };
+            return refused(source, "its name has characters other than letters, digits and _");
         const fs::file_status status = fs::symlink_status(source);
         if (!fs::exists(status))
             return { State::Missing, "" };
         if (!fs::is_regular_file(status))
-            return { State::Refused, "not a plain file\n" };
+            return refused(source, "not a plain file");
         if (fs::file_size(source) > maxBytes)
-            return { State::Refused, "larger than a megabyte\n" };
+            return refused(source, "larger than a megabyte");
         return { State::Taken, "" };
     }
 
