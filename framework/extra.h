@@ -23,7 +23,7 @@ void renderRayGlossyComponent(RenderState& state, Ray ray, const HitInfo& hitInf
 // The light along a ray that hits nothing.
 [[nodiscard]] glm::vec3 sampleEnvironmentMap(RenderState& state, Ray ray);
 
-// Reorders the primitives so that the first of them, as many as it returns, are the left child by the surface area
-// heuristic.
+// For those who bring a builder of their own (BVH::BVH): ours does not call it. Reorders the primitives so that the
+// first of them, as many as it returns, are the left child by the surface area heuristic.
 size_t splitPrimitivesBySAHBin(
     const AxisAlignedBox& aabb, uint32_t axis, std::span<BVHInterface::Primitive> primitives);

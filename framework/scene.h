@@ -30,7 +30,8 @@ struct Scene {
     std::vector<std::shared_ptr<const Image>> textures; // what the materials' kdTexture point to
 };
 
-// One of the scenes of the course: dataDir holds the scene files. Throws files::Error.
+// One of the scenes of the course, not Custom: dataDir holds the scene files. Throws files::Error, and
+// std::invalid_argument for Custom.
 [[nodiscard]] Scene loadScenePrebuilt(SceneType type, const std::filesystem::path& dataDir);
 
 // Any OBJ file, centred on the mean of its vertices and scaled by the largest distance from it. Throws files::Error.

@@ -18,8 +18,9 @@ Wrong::Wrong(const std::string& asked, const std::string& came, const std::strin
 {
 }
 
-NotAttempted::NotAttempted(const std::vector<std::string>& functions)
-    : std::runtime_error(fmt::format("not written yet: {}", fmt::join(functions, ", ")))
+NotAttempted::NotAttempted(const std::vector<std::string>& functions_)
+    : std::runtime_error(fmt::format("not written yet: {}", fmt::join(functions_, ", ")))
+    , functions(functions_)
 {
 }
 

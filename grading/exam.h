@@ -19,6 +19,8 @@ public:
 class NotAttempted : public std::runtime_error {
 public:
     explicit NotAttempted(const std::vector<std::string>& functions);
+
+    std::vector<std::string> functions;
 };
 
 // Probes that a submission did not answer in time. They are not asked again: an endless loop is met by many checks, and

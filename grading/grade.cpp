@@ -3,8 +3,10 @@
 #include "grading/exam.h"
 #include "grading/feature.h"
 #include "submission/submission.h"
+#include <algorithm>
 #include <fmt/format.h>
 #include <set>
+#include <sstream>
 #include <tbb/parallel_for.h>
 
 namespace grading {
@@ -33,7 +35,19 @@ namespace {
         return { Status::Wrong, withCause(failure.what(), check) };
     }
 
-    Verdict judge(const Check& check, Exam& exam)
+    // A function with a changed signature is another function, and a stub stands in for it: says where it is.
+    std::string withUndeclared(const NotAttempted& stub, const submission::Part& part)
+    {
+        std::istringstream lines(part.undeclared);
+        std::string message = stub.what();
+        for (std::string line; std::getline(lines, line);)
+            for (const std::string& function : stub.functions)
+                if (line.find(function + "(") != std::string::npos)
+                    message += "\nis the signature another one? " + line;
+        return message;
+    }
+
+    Verdict judge(const Check& check, Exam& exam, const submission::Part& part)
     {
         try {
             check.run(exam);
@@ -41,7 +55,7 @@ namespace {
         } catch (const Wrong& wrong) {
             return { Status::Wrong, withCause(wrong.what(), check) };
         } catch (const NotAttempted& stub) {
-            return { Status::NotAttempted, stub.what() };
+            return { Status::NotAttempted, withUndeclared(stub, part) };
         } catch (const worker::Failure& failure) {
             return judgeFailure(failure, check);
         } catch (const worker::MalformedMessage& malformed) {
@@ -49,6 +63,17 @@ namespace {
         } catch (const worker::ProbeError& error) { // an exception that the submission threw
             return { Status::Crashed, fmt::format("threw an exception: {}", error.what()) };
         }
+    }
+
+    // Words that a submission may have chosen: short, and nothing in them that a terminal obeys.
+    std::string harmless(std::string message)
+    {
+        constexpr std::size_t longest = 4000;
+        message.resize(std::min(message.size(), longest));
+        for (char& c : message)
+            if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
+                c = '?';
+        return message;
     }
 
     // A feature's checks, one after the other.
@@ -66,7 +91,7 @@ namespace {
         {
             const Verdict verdict = reach(check);
             const double score = verdict.status == Status::Passed ? check.points : 0.0;
-            return { check.name, check.feature, score, check.points, verdict.status, verdict.message };
+            return { check.name, check.feature, score, check.points, verdict.status, harmless(verdict.message) };
         }
 
     private:
@@ -76,7 +101,7 @@ namespace {
                 return { Status::Refused, m_part.message };
             Exam exam { m_submission.featureWorker(m_feature.file), m_assignment.referenceWorker,
                 Random(m_assignment.seed, check.name), m_slowProbes };
-            return judge(check, exam);
+            return judge(check, exam, m_part);
         }
 
         const Assignment& m_assignment;

@@ -37,6 +37,7 @@ namespace {
     void expectShape(const worker::RenderRequest& request, const Picture& came)
     {
         const auto numPixels = static_cast<std::size_t>(request.size.x) * static_cast<std::size_t>(request.size.y);
+        expect(came.size == request.size, describe(request), "a picture of another size", "the size asked for");
         expectCount(describe(request), came.pixels.size(), numPixels);
         for (const glm::vec3& color : came.pixels)
             expect(std::isfinite(color.x) && std::isfinite(color.y) && std::isfinite(color.z), describe(request),

@@ -100,7 +100,7 @@ static glm::vec3 contributionOfSample(RenderState& state, const glm::vec3& light
     const glm::vec3 visible = visibilityOfLightSample(state, lightPosition, lightColor, ray, hitInfo);
     if (visible == glm::vec3(0.0f))
         return visible;
-    return computeShading(state, -ray.direction, lightDirection, visible, hitInfo);
+    return computeShading(state, -glm::normalize(ray.direction), lightDirection, visible, hitInfo);
 }
 
 glm::vec3 computeContributionPointLight(

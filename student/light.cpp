@@ -10,7 +10,6 @@
 #include "light.h"
 #include "bvh_interface.h"
 #include "draw.h"
-#include "intersect.h"
 #include "not_written_yet.h"
 #include "scene.h"
 #include "shading.h"

@@ -4,7 +4,6 @@
 // "A Non-Photorealistic Lighting Model for Automatic Technical Illustration". Provided, declared in shading.h:
 // computeShading (which calls what is below), sampleMaterialKd, the models of Lambert, Phong and Blinn-Phong.
 #include "shading.h"
-#include "draw.h"
 #include "not_written_yet.h"
 
 #pragma GCC diagnostic ignored "-Wunused-parameter" // delete this line when the whole file is written

@@ -2,7 +2,6 @@
 #include "accel/bounds.h"
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 
 namespace accel {

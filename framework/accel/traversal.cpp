@@ -3,6 +3,7 @@
 #include "accel/builder.h"
 #include <array>
 #include <span>
+#include <utility>
 
 namespace accel {
 namespace {
@@ -53,8 +54,8 @@ const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit
         } else {
             Visit near { node.leftChild(), 0.0f };
             Visit far { node.rightChild(), 0.0f };
-            bool meetsNear = testBox(nodes[near.node].aabb, forBoxes, ray.t, near.entry);
-            bool meetsFar = testBox(nodes[far.node].aabb, forBoxes, ray.t, far.entry);
+            const bool meetsNear = testBox(nodes[near.node].aabb, forBoxes, ray.t, near.entry);
+            const bool meetsFar = testBox(nodes[far.node].aabb, forBoxes, ray.t, far.entry);
             if (meetsNear && meetsFar) {
                 if (far.entry < near.entry)
                     std::swap(near, far);

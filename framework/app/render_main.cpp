@@ -80,6 +80,7 @@ worker::Rendering render(const fs::path& program, const worker::RenderRequest& r
     constexpr std::chrono::hours patience { 24 * 365 }; // whoever waits can interrupt
     worker::Limits limits;
     limits.captureOutput = false;
+    limits.answerBytes = std::size_t(16) << 30; // a picture of 32768 x 32768 pixels has 12 GiB
     worker::Process process { program, limits };
     worker::Message input;
     input << request;

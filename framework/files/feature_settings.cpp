@@ -39,6 +39,7 @@ namespace {
         { "mipmap_filtering", &ExtraFeatures::enableMipmapTextureFiltering },
         { "motion_blur", &ExtraFeatures::enableMotionBlur },
         { "glossy_samples", &ExtraFeatures::numGlossySamples },
+        { "proposed_shadow_formula", &ExtraFeatures::enableProposedShadowFormula },
     });
 
     constexpr std::array<std::string_view, 5> shadingModels { // in the order of ShadingModel

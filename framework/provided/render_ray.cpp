@@ -11,7 +11,7 @@ glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)
     HitInfo hitInfo;
     if (!state.bvh.intersect(state, ray, hitInfo)) {
         drawRay(ray, glm::vec3(1.0f, 0.0f, 0.0f));
-        return sampleEnvironmentMap(state, ray);
+        return state.features.extra.enableEnvironmentMap ? sampleEnvironmentMap(state, ray) : glm::vec3(0.0f);
     }
     drawRay(ray);
 

@@ -1,19 +1,18 @@
 #include "submission/ninja.h"
+#include "files/text.h"
 #include "submission/paths.h"
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace submission {
 namespace {
 
-    std::string read(const std::filesystem::path& path)
+    std::string readIfThere(const std::filesystem::path& path)
     {
-        std::ifstream file(path);
-        return { std::istreambuf_iterator<char>(file), {} };
+        return std::filesystem::exists(path) ? files::readText(path) : "";
     }
 
 }
@@ -40,7 +39,7 @@ void Ninja::build(const std::vector<std::string>& outputs)
     const std::string command = fmt::format("'{}' -C '{}' -k 0 {} > '{}' 2>&1", ninjaProgram, m_folder.string(),
         fmt::join(outputs, " "), (m_folder / "ninja.log").string());
     (void)std::system(command.c_str()); // what does not compile shows in the outputs that are missing
-    const std::string said = read(m_folder / "ninja.log");
+    const std::string said = readIfThere(m_folder / "ninja.log");
     if (const std::size_t fatal = std::min(said.find("ninja: fatal"), said.find("ninja: error")); fatal < said.size())
         throw std::runtime_error(said.substr(fatal));
 }
@@ -50,9 +49,14 @@ bool Ninja::succeeded(const std::string& output) const
     return std::filesystem::exists(m_folder / output);
 }
 
+std::string Ninja::dependencies(const std::string& object) const
+{
+    return readIfThere(m_folder / (object + ".d"));
+}
+
 std::string Ninja::log(const std::string& output) const
 {
-    return read(m_folder / (output + ".log"));
+    return readIfThere(m_folder / (output + ".log"));
 }
 
 }

@@ -17,6 +17,8 @@ public:
     // Brings the outputs up to date, as many as can be; succeeded() tells which.
     void build(const std::vector<std::string>& outputs);
     [[nodiscard]] bool succeeded(const std::string& output) const;
+    // What an object was compiled from, as make reads it.
+    [[nodiscard]] std::string dependencies(const std::string& object) const;
     // What the compiler or linker printed.
     [[nodiscard]] std::string log(const std::string& output) const;
 

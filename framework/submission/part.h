@@ -15,6 +15,7 @@ enum class State {
 struct Part {
     State state = State::Missing;
     std::string message; // why it was refused: a compiler's or linker's words
+    std::string undeclared; // where it defines functions that no header declares: helpers, or a changed signature
 };
 
 // By file name without ".cpp": a feature, or an extension such as "extra/bloom".

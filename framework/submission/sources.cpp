@@ -1,10 +1,10 @@
 #include "submission/sources.h"
 #include "files/error.h"
+#include "files/text.h"
 #include "submission/features.h"
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace submission {
@@ -13,12 +13,6 @@ namespace {
     namespace fs = std::filesystem;
 
     constexpr std::uintmax_t maxBytes = 1 << 20; // the largest file of a real submission has a tenth of that
-
-    std::string read(const fs::path& path)
-    {
-        std::ifstream file(path, std::ios::binary);
-        return { std::istreambuf_iterator<char>(file), {} };
-    }
 
     // The files that the interface names, whether they are there or not.
     std::vector<std::string> partNames(const fs::path& submission)
@@ -41,7 +35,7 @@ namespace {
 
     Part refused(const fs::path& source, const std::string& why)
     {
-        return { State::Refused, source.filename().string() + ": " + why + "\n" };
+        return { State::Refused, source.filename().string() + ": " + why + "\n", "" };
     }
 
     Part inspect(const fs::path& source)
@@ -50,17 +44,17 @@ namespace {
             return refused(source, "its name has characters other than letters, digits and _");
         const fs::file_status status = fs::symlink_status(source);
         if (!fs::exists(status))
-            return { State::Missing, "" };
+            return { State::Missing, "", "" };
         if (!fs::is_regular_file(status))
             return refused(source, "not a plain file");
         if (fs::file_size(source) > maxBytes)
             return refused(source, "larger than a megabyte");
-        return { State::Taken, "" };
+        return { State::Taken, "", "" };
     }
 
     void update(const fs::path& destination, const std::string& text)
     {
-        if (fs::exists(destination) && read(destination) == text)
+        if (fs::exists(destination) && files::readText(destination) == text)
             return; // the same file with the same time: nothing is built again
         fs::create_directories(destination.parent_path());
         std::ofstream(destination, std::ios::binary) << text;
@@ -78,7 +72,7 @@ Parts takeSources(const fs::path& submission, const fs::path& destination)
         const fs::path copy = destination / (name + ".cpp");
         const Part part = inspect(source);
         if (part.state == State::Taken)
-            update(copy, read(source));
+            update(copy, files::readText(source));
         else
             fs::remove(copy);
         parts[name] = part;

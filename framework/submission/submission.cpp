@@ -1,4 +1,5 @@
 #include "submission/submission.h"
+#include "submission/includes.h"
 #include "submission/paths.h"
 #include "submission/sources.h"
 #include <algorithm>
@@ -47,17 +48,23 @@ namespace {
         return errors.empty() ? "took more than a minute to compile\n" : errors;
     }
 
-    // What a linker found missing or twice. A function whose declaration was changed is missing under its own name: the
-    // compiler's warning tells where it stands.
-    std::string linkerErrors(const std::string& linkLog, const std::string& compileLog)
+    // The lines that hold any of the words.
+    std::string linesWith(std::initializer_list<const char*> words, const std::string& log)
     {
-        std::istringstream lines(linkLog + compileLog);
-        std::string errors;
+        std::istringstream lines(log);
+        std::string found;
         int count = 0;
         for (std::string line; std::getline(lines, line) && count < maxMessageLines;)
-            if (holdsAny(line, { "undefined reference", "multiple definition", "no previous declaration" }))
-                errors += line + "\n", ++count;
-        return errors.empty() ? linkLog : errors;
+            if (holdsAny(line, words))
+                found += line + "\n", ++count;
+        return found;
+    }
+
+    // What a linker found missing or twice.
+    std::string linkerErrors(const std::string& log)
+    {
+        const std::string errors = linesWith({ "undefined reference", "multiple definition" }, log);
+        return errors.empty() ? log.substr(0, 1000) : errors;
     }
 
 }
@@ -103,7 +110,7 @@ void Submission::linkWithOthers(const std::string& feature)
     m_ninja.addLink(m_programs[feature], builtObjects(), "rest_questioned");
     m_ninja.build({ m_programs[feature] });
     if (!m_ninja.succeeded(m_programs[feature]))
-        m_parts.at(feature) = { State::Refused, linkerErrors(m_ninja.log(alone), m_ninja.log(objectOf(feature))) };
+        m_parts.at(feature) = { State::Refused, linkerErrors(m_ninja.log(alone)), "" };
 }
 
 void Submission::buildWholeWorker()
@@ -112,7 +119,7 @@ void Submission::buildWholeWorker()
     m_ninja.addLink(wholeProgram, builtObjects(), "rest_whole");
     m_ninja.build({ wholeProgram });
     if (!m_ninja.succeeded(wholeProgram))
-        throw std::runtime_error(linkerErrors(m_ninja.log(wholeProgram), ""));
+        throw std::runtime_error(linkerErrors(m_ninja.log(wholeProgram)));
 }
 
 void Submission::compileAll()
@@ -131,10 +138,14 @@ void Submission::noteCompiled(const std::string& name)
     Part& part = m_parts.at(name);
     if (part.state != State::Taken)
         return;
-    if (m_ninja.succeeded(objectOf(name)))
-        part.state = State::Built;
+    const std::string log = m_ninja.log(objectOf(name));
+    const std::string foreign = firstForeignInclude(m_ninja.dependencies(objectOf(name)));
+    if (!foreign.empty())
+        part = { State::Refused, name + ".cpp includes " + foreign + ", which is not part of the interface\n", "" };
+    else if (m_ninja.succeeded(objectOf(name)))
+        part = { State::Built, "", linesWith({ "no previous declaration" }, log) };
     else
-        part = { State::Refused, compilerErrors(m_ninja.log(objectOf(name))) };
+        part = { State::Refused, compilerErrors(log), "" };
 }
 
 std::vector<std::string> Submission::builtObjects() const

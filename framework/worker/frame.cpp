@@ -80,10 +80,17 @@ Transfer receiveFrame(int socket, Frame& frame, std::size_t maxBytes, Clock::tim
         return received;
     if (header.size > maxBytes)
         return Transfer::TooLarge;
-    std::vector<std::byte> bytes(header.size);
-    const Transfer body = receiveBytes(socket, bytes, deadline);
+    constexpr std::size_t step = std::size_t(16) << 20; // memory is taken for what comes, not for what is announced
+    std::vector<std::byte> bytes;
+    while (bytes.size() < header.size) {
+        const std::size_t before = bytes.size();
+        bytes.resize(before + std::min<std::size_t>(header.size - before, step));
+        if (const Transfer part = receiveBytes(socket, std::span(bytes).subspan(before), deadline);
+            part != Transfer::Done)
+            return part;
+    }
     frame = { header.nonce, static_cast<Frame::Kind>(header.kind), Message(std::move(bytes)) };
-    return body;
+    return Transfer::Done;
 }
 
 }

@@ -2,7 +2,6 @@
 #include "worker/message.h"
 #include <chrono>
 #include <cstdint>
-#include <optional>
 
 namespace worker {
 
@@ -16,6 +15,9 @@ struct Frame {
     Kind kind = Kind::Request;
     Message message;
 };
+
+// The file descriptor that a worker is started with.
+inline constexpr int socketOfWorker = 3;
 
 enum class Transfer { Done, Closed, TimedOut, TooLarge };
 

@@ -7,7 +7,6 @@
 
 namespace {
 
-constexpr int socketToParent = 3;
 constexpr auto never = worker::Clock::time_point::max();
 constexpr std::size_t unlimited = static_cast<std::size_t>(-1); // the parent is trusted
 
@@ -39,13 +38,14 @@ worker::Frame answer(const worker::Frame& request, const std::function<void(floa
 int main()
 {
     worker::Frame request;
-    while (worker::receiveFrame(socketToParent, request, unlimited, never) == worker::Transfer::Done) {
+    while (worker::receiveFrame(worker::socketOfWorker, request, unlimited, never) == worker::Transfer::Done) {
         const auto progress = [&](float fraction) {
             worker::Message message;
             message << fraction;
-            (void)worker::sendFrame(socketToParent, { request.nonce, worker::Frame::Kind::Progress, message }, never);
+            (void)worker::sendFrame(
+                worker::socketOfWorker, { request.nonce, worker::Frame::Kind::Progress, message }, never);
         };
-        if (worker::sendFrame(socketToParent, answer(request, progress), never) != worker::Transfer::Done)
+        if (worker::sendFrame(worker::socketOfWorker, answer(request, progress), never) != worker::Transfer::Done)
             return 1;
     }
     return 0;

@@ -73,7 +73,7 @@ private:
 
 // Pointers mean nothing elsewhere. Other types that are no plain data are ruled out by their overloads' absence.
 template <typename T>
-concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
+concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_same_v<T, bool>;
 
 template <Plain T> Message& operator<<(Message& message, const T& value)
 {
@@ -84,6 +84,18 @@ template <Plain T> Message& operator<<(Message& message, const T& value)
 template <Plain T> Reader& operator>>(Reader& reader, T& value)
 {
     std::memcpy(static_cast<void*>(&value), reader.take(sizeof(T)).data(), sizeof(T));
+    return reader;
+}
+
+// Another process may send any byte for a bool.
+inline Message& operator<<(Message& message, bool value)
+{
+    return message << static_cast<unsigned char>(value);
+}
+
+inline Reader& operator>>(Reader& reader, bool& value)
+{
+    value = reader.read<unsigned char>() != 0;
     return reader;
 }
 
@@ -101,7 +113,8 @@ template <typename T> Message& operator<<(Message& message, const std::vector<T>
 template <typename T> Reader& operator>>(Reader& reader, std::vector<T>& values)
 {
     const auto count = reader.read<std::size_t>();
-    if (count > reader.rest().size()) // every value takes a byte or more: no allocation on a liar's word
+    constexpr std::size_t least = Plain<T> ? sizeof(T) : sizeof(std::size_t); // bytes that a value takes
+    if (count > reader.rest().size() / least) // no allocation on a liar's word
         throw MalformedMessage();
     values.resize(count);
     for (T& value : values)

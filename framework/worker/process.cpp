@@ -18,8 +18,6 @@
 namespace worker {
 namespace {
 
-    constexpr std::size_t maxAnswerBytes = std::size_t(1) << 32; // a picture of 16384 x 16384 pixels is 3 GiB
-
     [[noreturn]] void throwErrno(const char* what)
     {
         throw std::system_error(errno, std::generic_category(), what);
@@ -36,20 +34,23 @@ namespace {
     // Between fork and exec: only calls that are safe there.
     [[noreturn]] void becomeWorker(const char* executable, int socket, int output, const Limits& limits)
     {
-        setpgid(0, 0); // so that all it starts can be killed at once
+        setpgid(0, 0); // so that it can be killed with what it starts
         prctl(PR_SET_PDEATHSIG, SIGKILL); // and goes when we are interrupted
-        if (dup2(socket, 3) < 0)
+        const int high = fcntl(socket, F_DUPFD, 10); // out of the way of what is put in place below
+        const int print = output < 0 ? -1 : fcntl(output, F_DUPFD, 10);
+        if (dup2(high, socketOfWorker) < 0)
             _exit(127);
         const int nothing = open("/dev/null", O_RDONLY);
         dup2(nothing, STDIN_FILENO);
-        if (output >= 0) {
-            dup2(output, STDOUT_FILENO);
-            dup2(output, STDERR_FILENO);
+        if (print >= 0) {
+            dup2(print, STDOUT_FILENO);
+            dup2(print, STDERR_FILENO);
             limit(RLIMIT_FSIZE, limits.outputBytes);
+            signal(SIGXFSZ, SIG_IGN); // what is printed beyond is lost, and the worker goes on
         }
         limit(RLIMIT_AS, limits.memoryBytes);
         limit(RLIMIT_CORE, 0);
-        close_range(4, ~0u, 0);
+        close_range(socketOfWorker + 1, ~0u, 0);
         char* const arguments[] { const_cast<char*>(executable), nullptr };
         execv(executable, arguments);
         _exit(127);
@@ -58,7 +59,8 @@ namespace {
 }
 
 Process::Process(const std::filesystem::path& executable, const Limits& limits)
-    : m_nonce(std::random_device {}())
+    : m_answerBytes(limits.answerBytes)
+    , m_nonce(std::random_device {}())
 {
     int sockets[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0)
@@ -97,7 +99,7 @@ Answer Process::ask(const std::string& probe, const Message& input, std::chrono:
         fail(Transfer::TimedOut);
     for (;;) {
         Frame frame;
-        const Transfer received = receiveFrame(m_socket, frame, maxAnswerBytes, deadline);
+        const Transfer received = receiveFrame(m_socket, frame, m_answerBytes, deadline);
         if (received != Transfer::Done || frame.nonce != m_nonce)
             fail(received);
         Reader reader { frame.message };

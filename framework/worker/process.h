@@ -12,6 +12,7 @@ namespace worker {
 struct Limits {
     std::optional<std::size_t> memoryBytes; // of address space
     std::optional<std::size_t> outputBytes; // printed, when captured
+    std::size_t answerBytes = std::size_t(64) << 20; // of one answer
     bool captureOutput = true; // otherwise what it prints goes where ours goes
 };
 
@@ -40,7 +41,7 @@ struct Answer {
     Message output;
 };
 
-// A worker and all that it starts, killed as a whole when this goes.
+// A worker and its process group, killed when this goes.
 class Process {
 public:
     Process(const std::filesystem::path& executable, const Limits& limits);
@@ -61,7 +62,8 @@ private:
     int m_socket = -1;
     int m_output = -1; // a file in memory, -1 if not captured
     pid_t m_pid = -1;
-    uint64_t m_nonce = 0;
+    std::size_t m_answerBytes;
+    uint64_t m_nonce;
 };
 
 }

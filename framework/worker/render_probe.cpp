@@ -7,7 +7,9 @@
 #include "screen.h"
 #include "worker/probe.h"
 #include "worker/render_request.h"
+#include <chrono>
 #include <condition_variable>
+#include <mutex>
 #include <optional>
 #include <tbb/global_control.h>
 #include <thread>

@@ -36,7 +36,7 @@ namespace {
         for (int i = 0; i < 40; ++i) {
             Mesh& mesh = scene.meshes.emplace_back();
             const glm::vec2 lower { random.integer(0, 20), random.integer(0, 20) };
-            const glm::vec2 upper = lower + glm::vec2(random.integer(1, 4), random.integer(1, 4));
+            const glm::vec2 upper = lower + glm::vec2 { random.integer(1, 4), random.integer(1, 4) };
             const auto height = static_cast<float>(random.integer(0, 9));
             for (const glm::vec2 uv : { lower, glm::vec2(upper.x, lower.y), upper, glm::vec2(lower.x, upper.y) })
                 mesh.vertices.push_back({ turned({ uv, height }, axis), turned({ 0, 0, 1 }, axis), uv });

@@ -1,7 +1,7 @@
 #include "grading/check.h"
 #include "grading/expect.h"
 #include "grading/picture.h"
-#include "grading/probes/shaded_point.h"
+#include "grading/probes/light_sample.h"
 #include "worker/scene_message.h"
 #include <array>
 #include <fmt/format.h>
@@ -40,10 +40,16 @@ namespace {
                 glm::dvec3(light.color3) } };
     }
 
+    glm::vec3 randomEdge(Random& random)
+    {
+        const float length = random.uniform(1.0f, 2.0f);
+        return length * random.direction();
+    }
+
     SegmentLight randomSegment(Random& random)
     {
         const glm::vec3 start = random.vec3(-3.0f, 3.0f);
-        const glm::vec3 end = start + random.uniform(1.0f, 2.0f) * random.direction();
+        const glm::vec3 end = start + randomEdge(random);
         const glm::vec3 color = random.color();
         return { start, end, color, random.color() };
     }
@@ -52,9 +58,9 @@ namespace {
     {
         ParallelogramLight light {};
         light.v0 = random.vec3(-3.0f, 3.0f);
-        light.edge01 = random.uniform(1.0f, 2.0f) * random.direction();
-        light.edge02 = random.uniform(1.0f, 2.0f) * glm::normalize(glm::cross(light.edge01, random.direction()));
-        light.edge02 += 0.3f * light.edge01; // not a rectangle
+        light.edge01 = randomEdge(random);
+        const glm::vec3 across = glm::normalize(glm::cross(light.edge01, random.direction()));
+        light.edge02 = random.uniform(1.0f, 2.0f) * across + 0.3f * light.edge01; // not a rectangle
         for (glm::vec3* color : { &light.color0, &light.color1, &light.color2, &light.color3 })
             *color = random.color();
         return light;

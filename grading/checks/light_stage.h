@@ -1,17 +1,10 @@
 #pragma once
 #include "grading/exam.h"
-#include "grading/probes/shaded_point.h"
-#include "scene.h"
-#include "worker/scene_message.h"
+#include "grading/probes/light_sample.h"
+#include "grading/probes/stage.h"
 
 // Shaded points, lights above them, and what stands in between.
 namespace grading {
-
-struct Stage {
-    Scene scene; // what throws shadows: not the shaded surface, unless it is added
-    Features features;
-    ShadedPoint shaded;
-};
 
 // A point of a surface with some opaque material, seen from its front; shading and shadows are on.
 [[nodiscard]] Stage randomStage(Random& random);
@@ -28,12 +21,6 @@ void addPane(Stage& stage, Random& random, const glm::vec3& light, double fracti
 // A triangle around a point, across the normal.
 void addTriangleAround(
     Scene& scene, const glm::dvec3& center, const glm::vec3& normal, float radius, const Material& material);
-
-// A stage travels as its parts.
-inline worker::Message& operator<<(worker::Message& message, const Stage& stage)
-{
-    return message << stage.scene << stage.features << stage.shaded;
-}
 
 // For messages: where the shaded point is and how far the light.
 [[nodiscard]] std::string describe(const Stage& stage, const glm::vec3& light);

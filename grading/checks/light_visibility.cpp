@@ -26,7 +26,8 @@ namespace {
 
     void addBlocker(Stage& stage, Random& random, const glm::vec3& light)
     {
-        addPane(stage, random, light, static_cast<double>(random.uniform(0.3f, 0.8f)), randomMaterial(random));
+        const auto fraction = static_cast<double>(random.uniform(0.3f, 0.8f));
+        addPane(stage, random, light, fraction, randomMaterial(random));
     }
 
     void addBlockingSphere(Stage& stage, Random& random, const glm::vec3& light)
@@ -206,8 +207,8 @@ namespace {
                 const LightSample light = randomLight(exam.random, stage);
                 const Material before = glass(exam.random, 0.5f);
                 addPane(stage, exam.random, light.position, 0.5, before);
-                addPane(stage, exam.random, light.position, static_cast<double>(exam.random.uniform(1.1f, 1.4f)),
-                    glass(exam.random, 0.5f));
+                const auto beyond = static_cast<double>(exam.random.uniform(1.1f, 1.4f));
+                addPane(stage, exam.random, light.position, beyond, glass(exam.random, 0.5f));
                 expectLight(exam, stage, light, passed(before), "a pane in between and one behind the light");
             }
         });

@@ -1,6 +1,7 @@
 #include "grading/check.h"
 #include "grading/expect.h"
 #include "grading/picture.h"
+#include "submission/paths.h"
 #include "worker/scene_message.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -161,10 +162,18 @@ namespace {
             compareOrientation(exam, bilinear);
         });
 
-    // The picture may be upside down: the check of the orientation has taken points for that already.
+    // The texture may be upside down: the check of the orientation has taken points for that already.
     void comparePicture(Exam& exam, const std::string& scene)
     {
-        comparePictures(exam, pictureOf(scene));
+        const worker::RenderRequest request = pictureOf(scene);
+        worker::RenderRequest upsideDown = request;
+        upsideDown.scene = fmt::format("{}/grading/scenes/{}_flipped.toml", submission::sourceDirectory, scene);
+        const auto came = exam.ask<worker::Rendering>("render.pixels", request);
+        try {
+            expectSamePicture(request, came, exam.askReference<worker::Rendering>("render.pixels", upsideDown));
+        } catch (const Wrong&) {
+            expectSamePicture(request, came, exam.askReference<worker::Rendering>("render.pixels", request));
+        }
     }
 
     const Check nearestPicture("texture.picture.nearest", 1.0, "see the checks of sampleTextureNearest",

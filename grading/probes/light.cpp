@@ -1,8 +1,8 @@
 #include "light.h"
 #include "bvh.h"
-#include "grading/probes/shaded_point.h"
+#include "grading/probes/light_sample.h"
+#include "grading/probes/stage.h"
 #include "worker/probe.h"
-#include "worker/scene_message.h"
 #include <framework/variant_helper.h>
 
 namespace grading {
@@ -25,46 +25,44 @@ namespace {
     const worker::Probe parallelogram("light.sample_parallelogram",
         [](worker::Call& call) { sampleAll<ParallelogramLight, glm::vec2>(call, sampleParallelogramLight); });
 
-    // A point that is shaded in a scene, as it was sent: scene, features, shaded point.
-    struct Stage {
-        explicit Stage(worker::Reader& input)
-            : scene(input.read<Scene>())
-            , features(input.read<Features>())
-            , shaded(input.read<ShadedPoint>())
-            , bvh(scene, features)
+    // A stage with its tree.
+    struct World {
+        explicit World(worker::Reader& input)
+            : stage(input.read<Stage>())
+            , bvh(stage.scene, stage.features)
         {
-            shaded.hitInfo.material.kdTexture = nullptr;
         }
 
-        [[nodiscard]] RenderState state(uint32_t seed = 1) const { return { scene, features, bvh, Sampler(seed) }; }
+        [[nodiscard]] RenderState state(uint32_t seed = 1) const
+        {
+            return { stage.scene, stage.features, bvh, Sampler(seed) };
+        }
 
-        Scene scene;
-        Features features;
-        ShadedPoint shaded;
+        Stage stage;
         BVH bvh;
     };
 
     // stage, light sample -> 1 if visible, 0 if not
     const worker::Probe binary("light.binary", [](worker::Call& call) {
-        const Stage stage(call.input);
+        const World world(call.input);
         const auto [position, color] = call.input.read<LightSample>();
-        RenderState state = stage.state();
-        const bool isVisible
-            = visibilityOfLightSampleBinary(state, position, color, stage.shaded.ray, stage.shaded.hitInfo);
+        RenderState state = world.state();
+        const auto& [ray, hitInfo] = world.stage.shaded;
+        const bool isVisible = visibilityOfLightSampleBinary(state, position, color, ray, hitInfo);
         call.output << static_cast<uint8_t>(isVisible);
     });
 
     // stage, light sample -> colour
     const worker::Probe transparency("light.transparency", [](worker::Call& call) {
-        const Stage stage(call.input);
+        const World world(call.input);
         const auto [position, color] = call.input.read<LightSample>();
-        RenderState state = stage.state();
-        call.output << visibilityOfLightSampleTransparency(
-            state, position, color, stage.shaded.ray, stage.shaded.hitInfo);
+        RenderState state = world.state();
+        const auto& [ray, hitInfo] = world.stage.shaded;
+        call.output << visibilityOfLightSampleTransparency(state, position, color, ray, hitInfo);
     });
 
     glm::vec3 contributionOf(
-        RenderState& state, const Scene::SceneLight& light, const ShadedPoint& shaded, uint32_t numSamples)
+        RenderState& state, const Scene::SceneLight& light, const Incidence& shaded, uint32_t numSamples)
     {
         const auto& [ray, hitInfo] = shaded;
         return std::visit(
@@ -80,12 +78,12 @@ namespace {
 
     // stage with one light, number of samples, seeds -> colours
     const worker::Probe contribution("light.contribution", [](worker::Call& call) {
-        const Stage stage(call.input);
+        const World world(call.input);
         const auto numSamples = call.input.read<uint32_t>();
         std::vector<glm::vec3> colors;
         for (const uint32_t seed : call.input.read<std::vector<uint32_t>>()) {
-            RenderState state = stage.state(seed);
-            colors.push_back(contributionOf(state, stage.scene.lights.at(0), stage.shaded, numSamples));
+            RenderState state = world.state(seed);
+            colors.push_back(contributionOf(state, world.stage.scene.lights.at(0), world.stage.shaded, numSamples));
         }
         call.output << colors;
     });

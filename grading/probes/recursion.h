@@ -1,20 +1,9 @@
 #pragma once
-#include "common.h"
+#include "grading/probes/incidence.h"
 #include "worker/message.h"
 
 // What the probes of the recursive functions are asked, and answer.
 namespace grading {
-
-// A ray and what it met at ray.t.
-struct Incidence {
-    Ray ray;
-    HitInfo hitInfo; // without a texture
-
-    [[nodiscard]] glm::dvec3 point() const
-    {
-        return glm::dvec3(ray.origin) + static_cast<double>(ray.t) * glm::dvec3(ray.direction);
-    }
-};
 
 // A surface in the way of a ray, wherever that goes.
 struct ScriptedHit {

@@ -5,7 +5,7 @@
 namespace grading {
 
 struct Traversal {
-    bool isHit;
+    uint8_t isHit; // 0 or 1; in a bool any other byte from another process would be undefined
     float t; // the ray's, afterwards
     HitInfo hitInfo;
 };

@@ -1,4 +1,5 @@
 #include "graded.h"
+#include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -18,8 +19,8 @@ const std::vector<Mistake> mistakes {
         "glm::mix(hitColor, renderRay(state, passthrough, rayDepth + 1), alpha)", "wrong" },
     { "reflected light replaces the colour", "reflection", "recursive", "hitColor += hitInfo.material.ks",
         "hitColor = hitInfo.material.ks", "wrong" },
-    { "light colour squared", "light", "light", "return computeShading(state, -ray.direction",
-        "return visible * computeShading(state, -ray.direction", "wrong" },
+    { "light colour squared", "light", "light", "return computeShading(state, -glm::normalize(ray.direction)",
+        "return visible * computeShading(state, -glm::normalize(ray.direction)", "wrong" },
     { "nearest texel off by a half", "texture", "texture", "std::floor(texCoord.x * static_cast<float>(image.width))",
         "std::floor(texCoord.x * static_cast<float>(image.width) + 0.5f)", "wrong" },
     { "last hit kept instead of the nearest", "bvh", "bvh",
@@ -69,6 +70,33 @@ TEST_CASE("A file that does not compile costs its own feature and shows the comp
     }
 }
 
+TEST_CASE("A file that includes the solution is refused", "[grading]")
+{
+    const std::string solution = std::string(submission::sourceDirectory) + "/reference/texture.cpp";
+    const auto include = GENERATE_COPY(solution, "accel/traversal.h");
+    const auto folder
+        = copyOfReference("texture", [&](const std::string&) { return "#include \"" + include + "\"\n"; });
+    const Graded graded = grade(folder, "--only texture");
+    INFO(graded.printed);
+    CHECK(graded.json.at("score") == 0);
+    CHECK(graded.count("texture", "refused") > 0);
+    CHECK_THAT(graded.printed, Catch::Contains("which is not part of the interface"));
+}
+
+TEST_CASE("What a submission prints costs nothing", "[grading]")
+{
+    const auto folder = copyOfReference("texture", [](const std::string& text) {
+        return "#include <iostream>\n"
+            + replaced(text, "    return image.get_pixel(j * image.width + i);",
+                "    for (int k = 0; k < 10000; ++k) std::cout << \"sampling\\n\";\n"
+                "    return image.get_pixel(j * image.width + i);");
+    });
+    const Graded graded = grade(folder, "--only texture");
+    INFO(graded.printed);
+    CHECK(graded.count("texture", "crashed") == 0);
+    CHECK(graded.count("texture", "wrong") == 0);
+}
+
 TEST_CASE("A function with a changed signature is named", "[grading]")
 {
     const auto folder = copyOfReference("texture", [](const std::string& text) {
@@ -79,7 +107,10 @@ TEST_CASE("A function with a changed signature is named", "[grading]")
     INFO(graded.printed);
     CHECK(graded.count("texture", "not attempted") > 0);
     CHECK(graded.count("texture", "passed") > 0); // bilinear lookups are right
-    CHECK_THAT(graded.printed, Catch::Contains("sampleTextureNearest"));
+    for (const auto& check : graded.json.at("checks"))
+        if (check.at("name") == "texture.nearest.inside")
+            CHECK_THAT(check.at("message").get<std::string>(),
+                Catch::Contains("texture.cpp:") && Catch::Contains("no previous declaration"));
 }
 
 TEST_CASE("A file that is missing is not attempted", "[grading]")

@@ -1,11 +1,10 @@
 #pragma once
 #include "common.h"
 
-// What the probes of lights are asked about.
 namespace grading {
 
-// The surface at ray.origin + ray.t * ray.direction.
-struct ShadedPoint {
+// A ray and the surface that it met at ray.origin + ray.t * ray.direction.
+struct Incidence {
     Ray ray;
     HitInfo hitInfo; // without a texture
 
@@ -13,10 +12,6 @@ struct ShadedPoint {
     {
         return glm::dvec3(ray.origin) + static_cast<double>(ray.t) * glm::dvec3(ray.direction);
     }
-};
-
-struct LightSample {
-    glm::vec3 position, color;
 };
 
 }

@@ -1,5 +1,6 @@
 # Writes rules.ninja: how a submission's files are compiled, and linked with a worker, while the teacher's machine grades
-# or a student renders. Wants the targets framework, worker, probes and reference.
+# or a student renders. The builder in
+# framework/submission runs them.
 find_package(OpenMP COMPONENTS CXX) # course files parallelise with it
 set(includes $<TARGET_PROPERTY:raywork_interface,INTERFACE_INCLUDE_DIRECTORIES>)
 set(definitions $<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_DEFINITIONS>)
@@ -15,7 +16,7 @@ endforeach()
 file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rules.ninja CONTENT "\
 # Written by CMake.
 cxx = ${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER}
-flags = -std=c++20 -w -Wmissing-declarations $<$<CONFIG:Release>:-O3 -DNDEBUG> \
+flags = -std=c++20 -Wmissing-declarations -fmax-errors=20 $<$<CONFIG:Release>:-O3 -DNDEBUG> \
 -I$<JOIN:${includes}, -I> -D$<JOIN:${definitions}, -D> \
 $<JOIN:$<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_OPTIONS>, > ${OpenMP_CXX_FLAGS}
 worker = ${worker_objects}
@@ -27,12 +28,8 @@ $<JOIN:$<TARGET_PROPERTY:PkgConfig::tomlplusplus,INTERFACE_LINK_LIBRARIES>, > -p
 build archives: phony ${worker_objects} ${probe_objects} $<JOIN:$<TARGET_OBJECTS:reference>, > $<TARGET_FILE:framework>
 ${rests}
 rule compile
-  command = rm -f $out; timeout 60 $cxx $flags -MD -MF $out.d -c $in -o $out 2> $out.log
+  command = rm -f $out; LC_ALL=C timeout 60 $cxx $flags -MD -MF $out.d -c $in -o $out 2> $out.log
   depfile = $out.d
 rule link
-  command = rm -f $out; timeout 60 $cxx -o $out $in $rest 2> $out.log
+  command = rm -f $out; LC_ALL=C timeout 60 $cxx -o $out $in $rest 2> $out.log
 ")
-
-# What those rules link is there before anybody builds a submission.
-add_dependencies(submission worker probes reference)
-add_dependencies(raywork-grade reference-worker)
