@@ -1,9 +1,12 @@
-# Writes rules.ninja: how a submission's files are compiled, and linked with a worker, while the teacher's machine grades
-# or a student renders. The builder in
-# framework/submission runs them.
+# Writes rules.ninja: how a submission's files are compiled, and linked with a worker, while a teacher grades or a student
+# renders. The builder in framework/submission runs it.
 find_package(OpenMP COMPONENTS CXX) # course files parallelise with it
 set(includes $<TARGET_PROPERTY:raywork_interface,INTERFACE_INCLUDE_DIRECTORIES>)
 set(definitions $<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_DEFINITIONS>)
+
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(error_limit -fmax-errors=20)
+endif()
 
 set(worker_objects "$<JOIN:$<TARGET_OBJECTS:worker>, >")
 set(probe_objects "$<JOIN:$<TARGET_OBJECTS:probes>, >")
@@ -16,7 +19,7 @@ endforeach()
 file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rules.ninja CONTENT "\
 # Written by CMake.
 cxx = ${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER}
-flags = -std=c++20 -Wmissing-declarations -fmax-errors=20 $<$<CONFIG:Release>:-O3 -DNDEBUG> \
+flags = -std=c++20 -Wmissing-declarations ${error_limit} $<$<CONFIG:Release>:-O3 -DNDEBUG> \
 -I$<JOIN:${includes}, -I> -D$<JOIN:${definitions}, -D> \
 $<JOIN:$<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_OPTIONS>, > ${OpenMP_CXX_FLAGS}
 worker = ${worker_objects}
