@@ -1,5 +1,6 @@
 #pragma once
 #include "grading/random.h"
+#include "grading/row.h"
 #include "worker/process.h"
 #include <filesystem>
 #include <memory>
@@ -34,6 +35,7 @@ public:
     Exam(std::filesystem::path submission, std::filesystem::path reference, Random random, SlowProbes& slowProbes);
 
     Random random;
+    std::shared_ptr<const PicturePair> pictures; // what the check compared, for the report
 
     // Asks the submission's worker: writes the inputs, reads a Result.
     // Throws NotAttempted, and worker::Failure when it crashes, takes too long or does not answer to the point.

@@ -15,6 +15,7 @@ namespace {
     struct Verdict {
         Status status = Status::Passed;
         std::string message;
+        std::shared_ptr<const PicturePair> pictures = nullptr;
     };
 
     std::string withCause(const std::string& what, const Check& check)
@@ -91,7 +92,8 @@ namespace {
         {
             const Verdict verdict = reach(check);
             const double score = verdict.status == Status::Passed ? check.points : 0.0;
-            return { check.name, check.feature, score, check.points, verdict.status, harmless(verdict.message) };
+            return { check.name, check.feature, score, check.points, verdict.status, harmless(verdict.message),
+                verdict.pictures };
         }
 
     private:
@@ -101,7 +103,9 @@ namespace {
                 return { Status::Refused, m_part.message };
             Exam exam { m_submission.featureWorker(m_feature.file), m_assignment.referenceWorker,
                 Random(m_assignment.seed, check.name), m_slowProbes };
-            return judge(check, exam, m_part);
+            Verdict verdict = judge(check, exam, m_part);
+            verdict.pictures = exam.pictures;
+            return verdict;
         }
 
         const Assignment& m_assignment;

@@ -103,7 +103,9 @@ void expectSamePicture(const worker::RenderRequest& request, const Picture& came
 void comparePictures(Exam& exam, const worker::RenderRequest& request)
 {
     const auto came = exam.ask<Picture>("render.pixels", request);
-    expectSamePicture(request, came, exam.askReference<Picture>("render.pixels", request));
+    const auto expected = exam.askReference<Picture>("render.pixels", request);
+    exam.pictures = std::make_shared<PicturePair>(PicturePair { came.size, came.pixels, expected.pixels });
+    expectSamePicture(request, came, expected);
 }
 
 void compareNoisyPictures(Exam& exam, const worker::RenderRequest& request)

@@ -1,6 +1,10 @@
 #pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace grading {
 
@@ -25,6 +29,14 @@ enum class Status { Passed, Wrong, NotAttempted, Crashed, TimedOut, Refused };
     return "";
 }
 
+// The pictures that a check compared, for people to look at. Linear colours, row 0 at the bottom.
+struct PicturePair {
+    glm::ivec2 size { 0 };
+    std::vector<glm::vec3> came;
+    std::vector<glm::vec3> expected;
+    glm::ivec2 worst { 0 }; // the pixel in the middle of the place that differs most
+};
+
 // What became of one check.
 struct Row {
     std::string name;
@@ -33,6 +45,7 @@ struct Row {
     double maxScore = 0.0;
     Status status = Status::NotAttempted;
     std::string message; // why it did not pass
+    std::shared_ptr<const PicturePair> pictures = nullptr; // if it compared any, passed or not
 };
 
 }
