@@ -1,38 +1,36 @@
-# Writes rules.ninja: how a submission's files are compiled, and linked with a worker, while a teacher grades or a student
-# renders. The builder in framework/submission runs it.
+# Writes rules.toml: how a submission's files are compiled, and linked with a worker, while a teacher grades or a student
+# renders. The builder in framework/submission reads it.
 find_package(OpenMP COMPONENTS CXX) # course files parallelise with it
+
+# A line name = ['word', 'word', ...]. The words of the list may come from generator expressions; empty ones do no harm.
+function(add_rule name words)
+    set(rules "${rules}${name} = ['$<JOIN:${words},'$<COMMA> '>']\n" PARENT_SCOPE)
+endfunction()
+
 set(includes $<TARGET_PROPERTY:raywork_interface,INTERFACE_INCLUDE_DIRECTORIES>)
 set(definitions $<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_DEFINITIONS>)
-
+set(flags "-std=c++20;-Wmissing-declarations;$<$<CONFIG:Release>:-O3>;$<$<CONFIG:Release>:-DNDEBUG>")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    set(error_limit -fmax-errors=20)
+    list(APPEND flags -fmax-errors=20)
+    set(only_objects -fno-lto -fno-use-linker-plugin) # nothing that an object holds is compiled once more
 endif()
 
-set(worker_objects "$<JOIN:$<TARGET_OBJECTS:worker>, >")
-set(probe_objects "$<JOIN:$<TARGET_OBJECTS:probes>, >")
-set(rests "rest_whole = $worker $libraries\nrest_questioned = $worker $probes $libraries\n")
+set(rules "# Written by CMake.\n")
+add_rule(compile "${CMAKE_CXX_COMPILER};${flags};-I$<JOIN:${includes},;-I>;-D$<JOIN:${definitions},;-D>;\
+$<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_OPTIONS>;${OpenMP_CXX_FLAGS}")
+add_rule(link "${CMAKE_CXX_COMPILER};${only_objects}")
+add_rule(symbols "${CMAKE_NM};-uC")
+
+set(worker $<TARGET_OBJECTS:worker>)
+set(probes $<TARGET_OBJECTS:probes>)
+set(libraries "$<TARGET_FILE:framework>;$<TARGET_FILE:TBB::tbb>;$<TARGET_FILE:fmt::fmt>;\
+$<TARGET_FILE:tinyobjloader::tinyobjloader>;$<TARGET_PROPERTY:PkgConfig::stb,INTERFACE_LINK_LIBRARIES>;\
+$<TARGET_PROPERTY:PkgConfig::tomlplusplus,INTERFACE_LINK_LIBRARIES>;-pthread;${OpenMP_CXX_FLAGS}")
+add_rule(built "${worker};${probes};$<TARGET_OBJECTS:reference>;$<TARGET_FILE:framework>")
+add_rule(rest_whole "${worker};${libraries}")
+add_rule(rest_questioned "${worker};${probes};${libraries}")
 foreach(feature IN LISTS FEATURES)
     set(others $<FILTER:$<TARGET_OBJECTS:reference>,EXCLUDE,/${feature}\\.cpp\\.o$>)
-    string(APPEND rests "rest_${feature} = $worker $probes $<JOIN:${others}, > $libraries\n")
+    add_rule(rest_${feature} "${worker};${probes};${others};${libraries}")
 endforeach()
-
-file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rules.ninja CONTENT "\
-# Written by CMake.
-cxx = ${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER}
-flags = -std=c++20 -Wmissing-declarations ${error_limit} $<$<CONFIG:Release>:-O3 -DNDEBUG> \
--I$<JOIN:${includes}, -I> -D$<JOIN:${definitions}, -D> \
-$<JOIN:$<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_OPTIONS>, > ${OpenMP_CXX_FLAGS}
-worker = ${worker_objects}
-probes = ${probe_objects}
-libraries = $<TARGET_FILE:framework> $<TARGET_FILE:TBB::tbb> $<TARGET_FILE:fmt::fmt> \
-$<TARGET_FILE:tinyobjloader::tinyobjloader> \
-$<JOIN:$<TARGET_PROPERTY:PkgConfig::stb,INTERFACE_LINK_LIBRARIES>, > \
-$<JOIN:$<TARGET_PROPERTY:PkgConfig::tomlplusplus,INTERFACE_LINK_LIBRARIES>, > -pthread ${OpenMP_CXX_FLAGS}
-build archives: phony ${worker_objects} ${probe_objects} $<JOIN:$<TARGET_OBJECTS:reference>, > $<TARGET_FILE:framework>
-${rests}
-rule compile
-  command = rm -f $out; LC_ALL=C timeout 60 $cxx $flags -MD -MF $out.d -c $in -o $out 2> $out.log
-  depfile = $out.d
-rule link
-  command = rm -f $out; LC_ALL=C timeout 60 $cxx -o $out $in $rest 2> $out.log
-")
+file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rules.toml CONTENT "${rules}")

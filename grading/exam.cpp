@@ -1,4 +1,5 @@
 #include "grading/exam.h"
+#include "submission/paths.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +10,14 @@ namespace {
     constexpr std::chrono::seconds patience { 10 };
 
     // A render's scene and picture take a tenth of that.
-    constexpr worker::Limits limits { .memoryBytes = std::size_t(4) << 30, .outputBytes = std::size_t(1) << 20 };
+    worker::Limits limits()
+    {
+        const std::filesystem::path root { submission::sourceDirectory };
+        return { .memoryBytes = std::size_t(4) << 30,
+            .outputBytes = std::size_t(1) << 20,
+            .cpuTime = std::chrono::seconds(60),
+            .readable = { root / "scenes", root / "grading" / "scenes" } };
+    }
 
 }
 
@@ -35,7 +43,7 @@ Exam::Exam(std::filesystem::path submission, std::filesystem::path reference, Ra
 worker::Message Exam::run(Side& side, const std::string& probe, const worker::Message& message)
 {
     if (!side.process)
-        side.process = std::make_unique<worker::Process>(side.program, limits);
+        side.process = std::make_unique<worker::Process>(side.program, limits());
     worker::Answer answer = side.process->ask(probe, message, patience);
     if (!answer.unwritten.empty())
         throw NotAttempted(answer.unwritten);

@@ -84,7 +84,7 @@ namespace {
             : m_assignment(assignment)
             , m_submission(submission)
             , m_feature(feature)
-            , m_part(submission.parts().at(feature.file))
+            , m_part(submission.part(feature.file))
         {
         }
 
@@ -101,7 +101,7 @@ namespace {
         {
             if (m_part.state == submission::State::Refused)
                 return { Status::Refused, m_part.message };
-            Exam exam { m_submission.featureWorker(m_feature.file), m_assignment.referenceWorker,
+            Exam exam { m_submission.featureWorker(m_feature.file).file, m_assignment.referenceWorker,
                 Random(m_assignment.seed, check.name), m_slowProbes };
             Verdict verdict = judge(check, exam, m_part);
             verdict.pictures = exam.pictures;

@@ -81,6 +81,7 @@ worker::Rendering render(const fs::path& program, const worker::RenderRequest& r
     worker::Limits limits;
     limits.captureOutput = false;
     limits.answerBytes = std::size_t(16) << 30; // a picture of 32768 x 32768 pixels has 12 GiB
+    limits.readable = { "/" }; // a scene names its meshes and textures wherever they lie
     worker::Process process { program, limits };
     worker::Message input;
     input << request;
@@ -105,12 +106,12 @@ void run(const Options& options)
     const worker::RenderRequest request = makeRequest(options);
 
     submission::Submission submission { submissionFolder(options.with) };
-    submission.buildWholeWorker();
-    for (const auto& [name, part] : submission.parts())
-        if (part.state == submission::State::Refused)
+    const fs::path worker = submission.buildWholeWorker();
+    for (const std::string& name : submission.names())
+        if (const submission::Part& part = submission.part(name); part.state == submission::State::Refused)
             fmt::print(stderr, "{}.cpp is left out. {}", name, part.message);
 
-    const worker::Rendering rendering = render(submission.wholeWorker(), request);
+    const worker::Rendering rendering = render(worker, request);
     app::savePicture(output, rendering.size, rendering.pixels);
     report(options, output, rendering);
 }

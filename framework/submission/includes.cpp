@@ -1,31 +1,42 @@
 #include "submission/includes.h"
 #include "submission/paths.h"
 #include <algorithm>
-#include <array>
-#include <filesystem>
-#include <sstream>
+#include <fstream>
 
 namespace submission {
 
 namespace fs = std::filesystem;
 
-static bool isOfTheInterface(const fs::path& header)
+static const fs::path framework = fs::path(sourceDirectory) / "framework";
+
+std::vector<fs::path> interfaceHeaders()
 {
-    const fs::path framework = fs::path(sourceDirectory) / "framework";
-    const std::array folders { framework, framework / "framework", framework / "imgui" };
-    return std::find(folders.begin(), folders.end(), header.parent_path()) != folders.end();
+    std::vector<fs::path> headers { framework / "framework", framework / "imgui" };
+    for (const fs::directory_entry& entry : fs::directory_iterator(framework))
+        if (entry.path().extension() == ".h")
+            headers.push_back(entry.path());
+    return headers;
 }
 
-std::string firstForeignInclude(const std::string& dependencies)
+static bool isOfTheInterface(const fs::path& header)
 {
-    std::istringstream words(dependencies);
+    const fs::path folder = header.parent_path();
+    return folder == framework || folder == framework / "framework" || folder == framework / "imgui";
+}
+
+static bool isBelow(const fs::path& path, const fs::path& folder)
+{
+    const fs::path relative = path.lexically_relative(folder);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+std::string firstForeignInclude(const fs::path& folder, const std::string& dependencies)
+{
+    std::ifstream words(folder / dependencies);
     for (std::string word; words >> word;) {
-        const fs::path path = fs::weakly_canonical(fs::path(buildDirectory) / "submissions" / "any" / word);
-        const fs::path fromRoot = path.lexically_relative(sourceDirectory);
-        const bool isOurs = !fromRoot.empty() && *fromRoot.begin() != "..";
-        const bool isBuilt = path.lexically_relative(buildDirectory).begin()->string() != "..";
-        if (isOurs && !isBuilt && !isOfTheInterface(path))
-            return fromRoot.string();
+        const fs::path path = fs::weakly_canonical(folder / word);
+        if (isBelow(path, sourceDirectory) && !isBelow(path, buildDirectory) && !isOfTheInterface(path))
+            return path.lexically_relative(sourceDirectory).string();
     }
     return "";
 }

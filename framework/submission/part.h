@@ -7,7 +7,7 @@ namespace submission {
 // How far a file of a submission got.
 enum class State {
     Missing, // no such file: stubs stand in
-    Taken,
+    Taken, // read, not yet compiled
     Built,
     Refused, // not a plain file, does not compile, or does not link
 };
@@ -17,6 +17,11 @@ struct Part {
     std::string message; // why it was refused: a compiler's or linker's words
     std::string undeclared; // where it defines functions that no header declares: helpers, or a changed signature
 };
+
+[[nodiscard]] inline Part refused(const std::string& message)
+{
+    return { State::Refused, message, "" };
+}
 
 // By file name without ".cpp": a feature, or an extension such as "extra/bloom".
 using Parts = std::map<std::string, Part>;

@@ -4,7 +4,6 @@
 #include "submission/features.h"
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <vector>
 
 namespace submission {
@@ -27,57 +26,41 @@ namespace {
         return names;
     }
 
-    // Names go to a shell and into a file of Ninja's.
+    // Names become words of a compiler's command.
     bool isPlainName(const std::string& name)
     {
         return std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
     }
 
-    Part refused(const fs::path& source, const std::string& why)
+    Source refuse(const fs::path& source, const std::string& why)
     {
-        return { State::Refused, source.filename().string() + ": " + why + "\n", "" };
+        return { refused(source.filename().string() + ": " + why + "\n"), "" };
     }
 
-    Part inspect(const fs::path& source)
+    Source read(const fs::path& source)
     {
         if (!isPlainName(source.stem().string()))
-            return refused(source, "its name has characters other than letters, digits and _");
+            return refuse(source, "its name has characters other than letters, digits and _");
         const fs::file_status status = fs::symlink_status(source);
         if (!fs::exists(status))
-            return { State::Missing, "", "" };
+            return {};
         if (!fs::is_regular_file(status))
-            return refused(source, "not a plain file");
+            return refuse(source, "not a plain file");
         if (fs::file_size(source) > maxBytes)
-            return refused(source, "larger than a megabyte");
-        return { State::Taken, "", "" };
-    }
-
-    void update(const fs::path& destination, const std::string& text)
-    {
-        if (fs::exists(destination) && files::readText(destination) == text)
-            return; // the same file with the same time: nothing is built again
-        fs::create_directories(destination.parent_path());
-        std::ofstream(destination, std::ios::binary) << text;
+            return refuse(source, "larger than a megabyte");
+        return { { State::Taken, "", "" }, files::readText(source) };
     }
 
 }
 
-Parts takeSources(const fs::path& submission, const fs::path& destination)
+Sources readSources(const fs::path& submission)
 {
     if (!fs::is_directory(submission))
         throw files::Error(submission, "found no folder, expected one with the files of a submission");
-    Parts parts;
-    for (const std::string& name : partNames(submission)) {
-        const fs::path source = submission / (name + ".cpp");
-        const fs::path copy = destination / (name + ".cpp");
-        const Part part = inspect(source);
-        if (part.state == State::Taken)
-            update(copy, files::readText(source));
-        else
-            fs::remove(copy);
-        parts[name] = part;
-    }
-    return parts;
+    Sources sources;
+    for (const std::string& name : partNames(submission))
+        sources[name] = read(submission / (name + ".cpp"));
+    return sources;
 }
 
 }

@@ -1,12 +1,21 @@
 #pragma once
 #include "submission/part.h"
 #include <filesystem>
+#include <map>
+#include <string>
 
 namespace submission {
 
-// Copies the sources of a submission, and nothing else that lies beside them, into another folder, without touching
-// what is there already and the same. Links, folders in place of files, and files of more than a megabyte are refused.
-// Throws files::Error when the submission is no folder.
-[[nodiscard]] Parts takeSources(const std::filesystem::path& submission, const std::filesystem::path& destination);
+struct Source {
+    Part part; // missing, taken or refused
+    std::string text; // if taken
+};
+
+// By file name without ".cpp": a feature, or an extension such as "extra/bloom".
+using Sources = std::map<std::string, Source>;
+
+// Reads the files of a submission that the interface names, and nothing else that lies beside them. Links, folders in
+// place of files, and files of more than a megabyte are refused. Throws files::Error when the submission is no folder.
+[[nodiscard]] Sources readSources(const std::filesystem::path& submission);
 
 }

@@ -1,7 +1,6 @@
 #pragma once
-#include "submission/folder_lock.h"
-#include "submission/ninja.h"
-#include "submission/part.h"
+#include "submission/link.h"
+#include "submission/sources.h"
 #include <filesystem>
 #include <map>
 #include <string>
@@ -10,8 +9,8 @@
 namespace submission {
 
 // A folder of student files, built against our own headers. Only the sources that the interface names are taken, so
-// that nothing beside them can stand in for a header. Each file is compiled on its own; what did not change since the
-// last time is not built again.
+// that nothing beside them can stand in for a header. Each file is compiled on its own; what was built before, by
+// whomever, is not built again.
 class Submission {
 public:
     // Throws files::Error when the directory is no folder.
@@ -23,23 +22,21 @@ public:
 
     // One worker with all files of the submission, stubs in place of those that are missing or refused.
     // Throws std::runtime_error when not even that links.
-    void buildWholeWorker();
+    [[nodiscard]] std::filesystem::path buildWholeWorker();
 
-    [[nodiscard]] const Parts& parts() const { return m_parts; }
-    [[nodiscard]] std::filesystem::path featureWorker(const std::string& feature) const;
-    [[nodiscard]] std::filesystem::path wholeWorker() const;
+    // What became of a file, once it was needed.
+    [[nodiscard]] const Part& part(const std::string& name) const { return m_sources.at(name).part; }
+    [[nodiscard]] std::vector<std::string> names() const;
+    [[nodiscard]] const Program& featureWorker(const std::string& feature) const { return m_workers.at(feature); }
 
 private:
-    void compileAll();
-    void linkWithOthers(const std::string& feature);
-    void noteCompiled(const std::string& name);
-    [[nodiscard]] std::vector<std::string> builtObjects() const;
+    void compileAll(const std::vector<std::string>& names);
+    void linkWorker(const std::string& feature);
+    [[nodiscard]] std::vector<Object> builtObjects() const;
 
-    std::filesystem::path m_work;
-    FolderLock m_lock;
-    Parts m_parts;
-    Ninja m_ninja;
-    std::map<std::string, std::string> m_programs; // by feature
+    Sources m_sources;
+    std::map<std::string, Object> m_objects; // by file name
+    std::map<std::string, Program> m_workers; // by feature
 };
 
 }

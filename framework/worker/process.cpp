@@ -3,57 +3,23 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
-#include <poll.h>
 #include <random>
 #include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 
 namespace worker {
 namespace {
 
-    [[noreturn]] void throwErrno(const char* what)
+    sandbox::Command commandOf(const std::filesystem::path& executable, const Limits& limits)
     {
-        throw std::system_error(errno, std::generic_category(), what);
-    }
-
-    void limit(int resource, std::optional<std::size_t> bytes)
-    {
-        if (!bytes)
-            return;
-        const rlimit both { *bytes, *bytes };
-        setrlimit(static_cast<__rlimit_resource>(resource), &both);
-    }
-
-    // Between fork and exec: only calls that are safe there.
-    [[noreturn]] void becomeWorker(const char* executable, int socket, int output, const Limits& limits)
-    {
-        setpgid(0, 0); // so that it can be killed with what it starts
-        prctl(PR_SET_PDEATHSIG, SIGKILL); // and goes when we are interrupted
-        const int high = fcntl(socket, F_DUPFD, 10); // out of the way of what is put in place below
-        const int print = output < 0 ? -1 : fcntl(output, F_DUPFD, 10);
-        if (dup2(high, socketOfWorker) < 0)
-            _exit(127);
-        const int nothing = open("/dev/null", O_RDONLY);
-        dup2(nothing, STDIN_FILENO);
-        if (print >= 0) {
-            dup2(print, STDOUT_FILENO);
-            dup2(print, STDERR_FILENO);
-            limit(RLIMIT_FSIZE, limits.outputBytes);
-            signal(SIGXFSZ, SIG_IGN); // what is printed beyond is lost, and the worker goes on
-        }
-        limit(RLIMIT_AS, limits.memoryBytes);
-        limit(RLIMIT_CORE, 0);
-        close_range(socketOfWorker + 1, ~0u, 0);
-        char* const arguments[] { const_cast<char*>(executable), nullptr };
-        execv(executable, arguments);
-        _exit(127);
+        sandbox::Command command;
+        command.words = { executable.string() };
+        command.limits = { limits.memoryBytes, limits.outputBytes, limits.cpuTime };
+        command.view.readable = limits.readable;
+        command.view.readable.push_back(executable);
+        return command;
     }
 
 }
@@ -64,26 +30,15 @@ Process::Process(const std::filesystem::path& executable, const Limits& limits)
 {
     int sockets[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0)
-        throwErrno("socketpair");
-    m_socket = sockets[0];
+        throw std::system_error(errno, std::generic_category(), "socketpair");
+    m_socket = sandbox::File(sockets[0]);
+    const sandbox::File theirs { sockets[1] };
     if (limits.captureOutput)
-        m_output = memfd_create("output", MFD_CLOEXEC);
-    const std::string path = executable.string();
-    m_pid = fork();
-    if (m_pid < 0)
-        throwErrno("fork");
-    if (m_pid == 0)
-        becomeWorker(path.c_str(), sockets[1], m_output, limits);
-    setpgid(m_pid, m_pid); // whoever of the two comes first
-    close(sockets[1]);
-}
-
-Process::~Process()
-{
-    kill();
-    close(m_socket);
-    if (m_output >= 0)
-        close(m_output);
+        m_output = sandbox::File(memfd_create("output", MFD_CLOEXEC));
+    sandbox::Command command = commandOf(executable, limits);
+    command.socket = theirs;
+    command.output = m_output;
+    m_child.emplace(command);
 }
 
 Answer Process::ask(const std::string& probe, const Message& input, std::chrono::milliseconds timeout,
@@ -118,40 +73,27 @@ Answer Process::ask(const std::string& probe, const Message& input, std::chrono:
 void Process::fail(Transfer transfer)
 {
     if (transfer == Transfer::Closed)
-        throw Failure(Failure::Kind::Crashed, describeEnd() + lastPrinted());
-    kill();
+        failAtEnd();
+    m_child->kill();
     if (transfer == Transfer::TimedOut)
         throw Failure(Failure::Kind::TimedOut, "no answer in time");
     throw Failure(Failure::Kind::Malformed, "the answer is not one to the question");
 }
 
-std::string Process::describeEnd()
+void Process::failAtEnd()
 {
+    using Kind = Failure::Kind;
     // Usually the socket closed because the process ended; one that closed it and goes on gets no time to explain.
-    constexpr int patience = 200; // milliseconds
-    const auto process = static_cast<int>(syscall(SYS_pidfd_open, m_pid, 0));
-    pollfd poller { process, POLLIN, 0 };
-    poll(&poller, 1, patience);
-    close(process);
-    siginfo_t ended {};
-    waitid(P_PID, static_cast<id_t>(m_pid), &ended, WEXITED | WNOWAIT | WNOHANG);
-    kill();
-    if (ended.si_pid == 0)
-        return "closed its connection";
-    if (ended.si_code == CLD_EXITED)
-        return "ended by itself with exit code " + std::to_string(ended.si_status);
-    const int signal = ended.si_status;
-    const char* name = sigdescr_np(signal);
-    return std::string(name ? name : "signal") + " (signal " + std::to_string(signal) + ")";
-}
-
-void Process::kill()
-{
-    if (m_pid < 0)
-        return;
-    ::kill(-m_pid, SIGKILL);
-    while (waitpid(m_pid, nullptr, 0) < 0 && errno == EINTR) { }
-    m_pid = -1;
+    constexpr std::chrono::milliseconds patience { 200 };
+    const bool hasEnded = m_child->hasEndedBy(sandbox::Clock::now() + patience);
+    const sandbox::Child::End end = m_child->kill();
+    if (!hasEnded)
+        throw Failure(Kind::Crashed, "closed its connection" + lastPrinted());
+    if (end.signal == 0)
+        throw Failure(Kind::Crashed, "ended by itself with exit code " + std::to_string(end.exitCode) + lastPrinted());
+    const char* const name = sigdescr_np(end.signal);
+    throw Failure(end.signal == SIGXCPU ? Kind::TimedOut : Kind::Crashed,
+        std::string(name ? name : "signal") + " (signal " + std::to_string(end.signal) + ")" + lastPrinted());
 }
 
 // What an assertion or a sanitizer says stands at the end of what was printed.

@@ -1,19 +1,23 @@
 #pragma once
+#include "sandbox/child.h"
+#include "sandbox/file.h"
 #include "worker/frame.h"
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace worker {
 
+// What a worker may have.
 struct Limits {
     std::optional<std::size_t> memoryBytes; // of address space
     std::optional<std::size_t> outputBytes; // printed, when captured
+    std::optional<std::chrono::seconds> cpuTime;
     std::size_t answerBytes = std::size_t(64) << 20; // of one answer
     bool captureOutput = true; // otherwise what it prints goes where ours goes
+    std::vector<std::filesystem::path> readable; // files and folders beside its own program; "/" is everything
 };
 
 // How a request can fail. The worker is gone afterwards.
@@ -41,13 +45,10 @@ struct Answer {
     Message output;
 };
 
-// A worker and its process group, killed when this goes.
+// A worker, locked in as well as this machine can, and killed with all that it started when this goes.
 class Process {
 public:
     Process(const std::filesystem::path& executable, const Limits& limits);
-    ~Process();
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
 
     // Runs a probe. Throws Failure or ProbeError.
     [[nodiscard]] Answer ask(const std::string& probe, const Message& input, std::chrono::milliseconds timeout,
@@ -55,13 +56,12 @@ public:
 
 private:
     [[noreturn]] void fail(Transfer transfer);
-    [[nodiscard]] std::string describeEnd();
+    [[noreturn]] void failAtEnd();
     [[nodiscard]] std::string lastPrinted() const;
-    void kill();
 
-    int m_socket = -1;
-    int m_output = -1; // a file in memory, -1 if not captured
-    pid_t m_pid = -1;
+    sandbox::File m_socket;
+    sandbox::File m_output; // in memory; none if not captured
+    std::optional<sandbox::Child> m_child;
     std::size_t m_answerBytes;
     uint64_t m_nonce;
 };

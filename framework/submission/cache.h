@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace submission {
+
+// Folders by the content that they were made from, kept from one run to the next. A folder appears whole or not at all
+// and never changes, so any number of graders may share them.
+//
+// Returns the folder called key; makes it first if there is none: make fills an empty folder, and returns whether the
+// result is worth keeping, that is, would come out the same again. Throws std::runtime_error when the disk is full.
+[[nodiscard]] std::filesystem::path cached(
+    const std::string& key, const std::function<bool(const std::filesystem::path&)>& make);
+
+// The folder of all these folders.
+[[nodiscard]] std::filesystem::path cacheFolder();
+
+}

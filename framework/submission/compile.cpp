@@ -1,0 +1,63 @@
+#include "submission/compile.h"
+#include "files/text.h"
+#include "submission/build_step.h"
+#include "submission/cache.h"
+#include "submission/digest.h"
+#include "submission/includes.h"
+#include "submission/log.h"
+#include "submission/symbols.h"
+#include "submission/toolchain.h"
+#include <fstream>
+
+namespace submission {
+namespace {
+
+    namespace fs = std::filesystem;
+
+    using Words = std::vector<std::string>;
+
+    Words with(Words words, std::initializer_list<std::string> more)
+    {
+        words.insert(words.end(), more);
+        return words;
+    }
+
+    // In a folder: <stem>.cpp, <stem>.o, what the compiler said, what it read, and the names that it left open.
+    bool compileIn(const fs::path& folder, const std::string& stem, const std::string& text)
+    {
+        const Toolchain& toolchain = Toolchain::get();
+        std::ofstream(folder / (stem + ".cpp"), std::ios::binary) << text;
+        const Words command
+            = with(toolchain.compile, { "-MD", "-MF", stem + ".d", "-c", stem + ".cpp", "-o", stem + ".o" });
+        if (!runBuildStep(command, folder, "compile.log", interfaceHeaders()))
+            return false;
+        return !fs::exists(folder / (stem + ".o"))
+            || runBuildStep(with(toolchain.symbols, { stem + ".o" }), folder, "symbols.log", {});
+    }
+
+    Part judge(const fs::path& folder, const std::string& stem)
+    {
+        const std::string log = files::readText(folder / "compile.log");
+        if (const std::string header = firstForeignInclude(folder, stem + ".d"); !header.empty())
+            return refused(stem + ".cpp includes " + header + ", which is not part of the interface");
+        if (!fs::exists(folder / (stem + ".o")))
+            return refused(compilerErrors(log));
+        if (const std::string symbol = firstForeignSymbol(folder / "symbols.log"); !symbol.empty())
+            return refused(stem + ".cpp uses " + symbol + ", which is not part of the interface");
+        return { State::Built, "", linesWith({ "no previous declaration" }, log) };
+    }
+
+}
+
+Object compile(const std::string& name, const std::string& text)
+{
+    const std::string stem = fs::path(name).filename().string();
+    Object object;
+    object.key = Digest().add(Toolchain::get().digest).add(name).add(text).hex();
+    const fs::path folder = cached(object.key, [&](const fs::path& made) { return compileIn(made, stem, text); });
+    object.file = folder / (stem + ".o");
+    object.part = judge(folder, stem);
+    return object;
+}
+
+}

@@ -1,0 +1,40 @@
+#include "submission/link.h"
+#include "files/text.h"
+#include "submission/build_step.h"
+#include "submission/cache.h"
+#include "submission/digest.h"
+#include "submission/log.h"
+#include "submission/paths.h"
+#include "submission/toolchain.h"
+
+namespace submission {
+
+namespace fs = std::filesystem;
+
+static bool linkIn(const fs::path& folder, const std::vector<Object>& objects, const std::string& rest)
+{
+    const Toolchain& toolchain = Toolchain::get();
+    std::vector<std::string> words = toolchain.link;
+    words.insert(words.end(), { "-o", "worker" });
+    for (const Object& object : objects)
+        words.push_back(object.file.string());
+    const std::vector<std::string> ours = toolchain.restOf(rest);
+    words.insert(words.end(), ours.begin(), ours.end());
+    return runBuildStep(words, folder, "link.log", { buildDirectory });
+}
+
+Program link(const std::vector<Object>& objects, const std::string& rest)
+{
+    Digest digest;
+    digest.add(Toolchain::get().digest).add("link").add(rest);
+    for (const Object& object : objects)
+        digest.add(object.key);
+    Program program { digest.hex(), {}, "" };
+    const fs::path folder = cached(program.key, [&](const fs::path& made) { return linkIn(made, objects, rest); });
+    program.file = folder / "worker";
+    if (!fs::exists(program.file))
+        program.errors = linkerErrors(files::readText(folder / "link.log"));
+    return program;
+}
+
+}

@@ -1,0 +1,17 @@
+#pragma once
+#include "submission/compile.h"
+#include <vector>
+
+namespace submission {
+
+// A worker linked from objects of a submission and ours.
+struct Program {
+    std::string key; // of all that went into it
+    std::filesystem::path file;
+    std::string errors; // empty if it links
+};
+
+// rest: see Toolchain::restOf.
+[[nodiscard]] Program link(const std::vector<Object>& objects, const std::string& rest);
+
+}

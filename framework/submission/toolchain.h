@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace submission {
+
+// How submissions are built: what CMake wrote into rules.toml.
+class Toolchain {
+public:
+    // Read once. Throws files::Error.
+    [[nodiscard]] static const Toolchain& get();
+
+    std::vector<std::string> compile; // the compiler and its flags
+    std::vector<std::string> link;
+    std::vector<std::string> symbols; // prints what an object leaves undefined
+    // Changes with anything of ours that goes into an object or a program: flags, headers, archives.
+    std::string digest;
+
+    // What a program is linked with beside a submission's objects: rest is whole, questioned or a feature.
+    [[nodiscard]] std::vector<std::string> restOf(const std::string& rest) const;
+
+private:
+    Toolchain();
+};
+
+}
