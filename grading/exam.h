@@ -24,15 +24,20 @@ public:
     std::vector<std::string> functions;
 };
 
-// Probes that a submission did not answer in time. They are not asked again: an endless loop is met by many checks, and
-// a teacher has three hundred folders.
-using SlowProbes = std::set<std::string>;
+// How long a submission may take for an answer. An endless loop is met by many checks, and a teacher has three hundred
+// folders: a probe that was not answered in time is not asked again, and after the first of them there is less
+// patience.
+struct Patience {
+    std::set<std::string> slowProbes;
+
+    [[nodiscard]] std::chrono::milliseconds left() const;
+};
 
 // One check on one submission: its random inputs and its two workers. Each starts when it is first asked; a check never
 // sees what another one left behind.
 class Exam {
 public:
-    Exam(std::filesystem::path submission, std::filesystem::path reference, Random random, SlowProbes& slowProbes);
+    Exam(std::filesystem::path submission, std::filesystem::path reference, Random random, Patience& patience);
 
     Random random;
     std::shared_ptr<const PicturePair> pictures; // what the check compared, for the report
@@ -68,13 +73,14 @@ private:
         return reader.read<Result>();
     }
 
-    worker::Message run(Side& side, const std::string& probe, const worker::Message& message);
+    worker::Message run(
+        Side& side, const std::string& probe, const worker::Message& message, std::chrono::milliseconds timeout);
     worker::Message runReference(const std::string& probe, const worker::Message& message);
     worker::Message runSubmission(const std::string& probe, const worker::Message& message);
 
     Side m_submission;
     Side m_reference;
-    SlowProbes& m_slowProbes;
+    Patience& m_patience;
 };
 
 }

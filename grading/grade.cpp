@@ -2,6 +2,9 @@
 #include "grading/check.h"
 #include "grading/exam.h"
 #include "grading/feature.h"
+#include "grading/row_store.h"
+#include "submission/digest.h"
+#include "submission/paths.h"
 #include "submission/submission.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,7 +18,6 @@ namespace {
     struct Verdict {
         Status status = Status::Passed;
         std::string message;
-        std::shared_ptr<const PicturePair> pictures = nullptr;
     };
 
     std::string withCause(const std::string& what, const Check& check)
@@ -77,42 +79,72 @@ namespace {
         return message;
     }
 
+    // What a row depends on beside the submission: the checks, the answers that are expected, and the scenes.
+    std::string digestOfJudge(const std::filesystem::path& referenceWorker)
+    {
+        const std::filesystem::path root { submission::sourceDirectory };
+        submission::Digest digest;
+        digest.addFile("/proc/self/exe").addFile(referenceWorker);
+        digest.addFolder(root / "scenes").addFolder(root / "grading" / "scenes");
+        return digest.hex();
+    }
+
+    // One submission, built, and what its grading needs to know.
+    struct Grading {
+        const Assignment& assignment;
+        submission::Submission submission;
+        RowStore store;
+        std::string judge; // a digest
+    };
+
     // A feature's checks, one after the other.
     class FeatureGrader {
     public:
-        FeatureGrader(const Assignment& assignment, const submission::Submission& submission, const Feature& feature)
-            : m_assignment(assignment)
-            , m_submission(submission)
-            , m_feature(feature)
-            , m_part(submission.part(feature.file))
+        FeatureGrader(const Grading& grading, const Feature& feature)
+            : m_grading(grading)
+            , m_part(grading.submission.part(feature.file))
         {
+            if (m_part.state != submission::State::Refused)
+                m_worker = grading.submission.featureWorker(feature.file);
         }
 
         [[nodiscard]] Row grade(const Check& check)
         {
-            const Verdict verdict = reach(check);
-            const double score = verdict.status == Status::Passed ? check.points : 0.0;
-            return { check.name, check.feature, score, check.points, verdict.status, harmless(verdict.message),
-                verdict.pictures };
+            if (m_part.state == submission::State::Refused)
+                return toRow(check, { Status::Refused, m_part.message });
+            const uint64_t seed = m_grading.assignment.secret.seedOf(m_worker.key, check.name);
+            const std::string key = submission::Digest()
+                                        .add(m_worker.key)
+                                        .add(m_grading.judge)
+                                        .add(check.name)
+                                        .add(std::to_string(seed))
+                                        .hex();
+            if (const auto known = m_grading.store.find(key))
+                return *known;
+            const Row row = ask(check, seed);
+            m_grading.store.keep(key, row);
+            return row;
         }
 
     private:
-        [[nodiscard]] Verdict reach(const Check& check)
+        [[nodiscard]] Row ask(const Check& check, uint64_t seed)
         {
-            if (m_part.state == submission::State::Refused)
-                return { Status::Refused, m_part.message };
-            Exam exam { m_submission.featureWorker(m_feature.file).file, m_assignment.referenceWorker,
-                Random(m_assignment.seed, check.name), m_slowProbes };
-            Verdict verdict = judge(check, exam, m_part);
-            verdict.pictures = exam.pictures;
-            return verdict;
+            Exam exam { m_worker.file, m_grading.assignment.referenceWorker, Random(seed), m_patience };
+            Row row = toRow(check, judge(check, exam, m_part));
+            row.pictures = exam.pictures;
+            return row;
         }
 
-        const Assignment& m_assignment;
-        const submission::Submission& m_submission;
-        const Feature& m_feature;
+        [[nodiscard]] static Row toRow(const Check& check, const Verdict& verdict)
+        {
+            const double score = verdict.status == Status::Passed ? check.points : 0.0;
+            return { check.name, check.feature, score, check.points, verdict.status, harmless(verdict.message) };
+        }
+
+        const Grading& m_grading;
         submission::Part m_part;
-        SlowProbes m_slowProbes;
+        submission::Program m_worker;
+        Patience m_patience;
     };
 
     std::vector<const Feature*> wantedFeatures(const std::string& only)
@@ -137,12 +169,13 @@ namespace {
 std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow)
 {
     const std::vector<const Feature*> wanted = wantedFeatures(assignment.onlyFeature);
-    submission::Submission submission { assignment.submission };
-    submission.buildFeatureWorkers(filesOf(wanted));
+    Grading grading { assignment, submission::Submission(assignment.submission), RowStore(!assignment.isFresh),
+        digestOfJudge(assignment.referenceWorker) };
+    grading.submission.buildFeatureWorkers(filesOf(wanted));
 
     std::vector<std::vector<Row>> rows(wanted.size());
     tbb::parallel_for(std::size_t(0), wanted.size(), [&](std::size_t i) {
-        FeatureGrader grader { assignment, submission, *wanted[i] };
+        FeatureGrader grader { grading, *wanted[i] };
         for (const Check& check : Check::all()) {
             if (check.feature != wanted[i]->name)
                 continue;

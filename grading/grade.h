@@ -1,6 +1,6 @@
 #pragma once
 #include "grading/row.h"
-#include <cstdint>
+#include "grading/secret.h"
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -11,7 +11,8 @@ struct Assignment {
     std::filesystem::path submission; // folder
     std::filesystem::path referenceWorker; // program
     std::string onlyFeature; // empty: all
-    uint64_t seed = 0; // of all random inputs
+    Secret secret { 1 }; // what all random inputs follow from
+    bool isFresh = false; // repeats also the checks that cannot see what has changed since the last time
 };
 
 // Builds the submission and runs all checks, features side by side. Calls onRow from any thread after each check; the

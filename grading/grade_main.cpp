@@ -3,9 +3,13 @@
 #include "grading/feature.h"
 #include "grading/grade.h"
 #include "grading/report.h"
+#include "grading/supervisor.h"
+#include "grading/watch.h"
+#include "sandbox/bubblewrap.h"
 #include "submission/paths.h"
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <mutex>
 #include <unistd.h>
 
 namespace {
@@ -17,6 +21,11 @@ struct Options {
     std::string onlyFeature;
     std::string json;
     uint64_t seed = 1;
+    std::string secretFile;
+    std::string referenceWorker = std::string(submission::buildDirectory) + "/grading/reference-worker";
+    std::string sandbox = "auto";
+    bool isFresh = false;
+    bool isWatching = false;
 };
 
 void declare(CLI::App& cli, Options& options)
@@ -26,9 +35,25 @@ void declare(CLI::App& cli, Options& options)
         names.push_back(feature.name);
     cli.add_option("submission", options.submission, "A folder with a submission's files, such as student")->required();
     cli.add_option("--only", options.onlyFeature, "Grade this feature alone")->check(CLI::IsMember(names));
-    cli.add_option("--json", options.json, "Write the grade to this file as well");
-    cli.add_option("--seed", options.seed, "Of the random inputs [1]");
+    cli.add_option("--json", options.json, "Write the grade to this file as well, after each check");
+    CLI::Option* const seed = cli.add_option("--seed", options.seed, "Of the random inputs [1]");
+    cli.add_option("--secret-file", options.secretFile, "The random inputs follow from its contents, 16 bytes or more")
+        ->excludes(seed);
+    cli.add_option("--sandbox", options.sandbox,
+           "auto: locked in if this machine can, and says if not; required: or not at all; off: with limits alone")
+        ->check(CLI::IsMember({ "auto", "required", "off" }));
+    cli.add_option("--reference-worker", options.referenceWorker, "The program whose answers are taken for right");
+    cli.add_flag("--fresh", options.isFresh, "Repeat also the checks that see nothing changed since the last time");
+    cli.add_flag("--watch", options.isWatching, "Grade again after each change of a file, until interrupted");
     cli.footer("Exit codes: 0 graded, whatever the score; 2 bad input; 75 the grader failed.");
+}
+
+void chooseSandbox(const std::string& sandbox)
+{
+    if (sandbox == "off")
+        sandbox::turnOffBubblewrap();
+    if (sandbox == "required" && !sandbox::whyNoBubblewrap().empty())
+        throw std::runtime_error("--sandbox required: " + sandbox::whyNoBubblewrap());
 }
 
 // On a terminal: what is being done, in place of what was.
@@ -38,17 +63,42 @@ void showProgress(std::string_view what)
         fmt::print(stderr, "\r\033[K{}", what);
 }
 
-void run(const Options& options)
+void gradeOnce(const Options& options)
 {
-    const auto referenceWorker = std::filesystem::path(submission::buildDirectory) / "grading" / "reference-worker";
-    const grading::Assignment assignment { options.submission, referenceWorker, options.onlyFeature, options.seed };
+    const grading::Secret secret = options.secretFile.empty()
+        ? grading::Secret(options.seed)
+        : grading::Secret(std::filesystem::path(options.secretFile));
+    const grading::Assignment assignment { options.submission, options.referenceWorker, options.onlyFeature, secret,
+        options.isFresh };
     showProgress("compiling");
     const std::vector<grading::Row> rows
         = grading::grade(assignment, [](const grading::Row& row) { showProgress(row.name); });
     showProgress("");
     grading::printTable(rows, isatty(STDOUT_FILENO) != 0);
+    if (!sandbox::whyNoBubblewrap().empty())
+        fmt::print("not sandboxed: {}\n", sandbox::whyNoBubblewrap());
     if (!options.json.empty())
         grading::writeJson(options.json, rows);
+}
+
+int run(const Options& options)
+{
+    try {
+        chooseSandbox(options.sandbox);
+        if (!options.isWatching)
+            gradeOnce(options);
+        else
+            grading::watch(options.submission, [&] { gradeOnce(options); });
+        return Graded;
+    } catch (const files::Error& error) {
+        showProgress("");
+        fmt::print(stderr, "{}\n", error.what());
+        return BadInput;
+    } catch (const std::exception& error) {
+        showProgress("");
+        fmt::print(stderr, "the grader failed: {}\n", error.what());
+        return GraderFailed;
+    }
 }
 
 }
@@ -63,16 +113,5 @@ int main(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return cli.exit(error) == 0 ? Graded : BadInput;
     }
-    try {
-        run(options);
-        return Graded;
-    } catch (const files::Error& error) {
-        showProgress("");
-        fmt::print(stderr, "{}\n", error.what());
-        return BadInput;
-    } catch (const std::exception& error) {
-        showProgress("");
-        fmt::print(stderr, "the grader failed: {}\n", error.what());
-        return GraderFailed;
-    }
+    return grading::runSupervised([&] { return run(options); }, GraderFailed);
 }

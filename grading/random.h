@@ -4,19 +4,15 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <random>
-#include <string_view>
 
 namespace grading {
 
-// The random inputs of a check: they follow from the seed and the check's name.
+// The random inputs of a check.
 class Random {
 public:
-    Random(uint64_t seed, std::string_view name)
+    explicit Random(uint64_t seed)
+        : m_engine(seed)
     {
-        uint64_t hash = 0xcbf29ce484222325u ^ seed; // FNV-1a
-        for (const char c : name)
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-        m_engine.seed(hash);
     }
 
     // Uniform in [lower, upper).

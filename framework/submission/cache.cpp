@@ -1,11 +1,11 @@
 #include "submission/cache.h"
 #include "submission/paths.h"
-#include <algorithm>
+#include "submission/prune.h"
 #include <atomic>
 #include <fmt/format.h>
+#include <mutex>
 #include <stdexcept>
 #include <unistd.h>
-#include <vector>
 
 namespace submission {
 namespace {
@@ -22,33 +22,6 @@ namespace {
         fs::remove_all(folder);
         fs::create_directories(folder);
         return folder;
-    }
-
-    fs::file_time_type lastUse(const fs::path& folder)
-    {
-        std::error_code gone; // another grader may remove it at the same time
-        return fs::last_write_time(folder, gone);
-    }
-
-    void noteUse(const fs::path& folder)
-    {
-        std::error_code gone;
-        fs::last_write_time(folder, fs::file_time_type::clock::now(), gone);
-    }
-
-    // The half that was not used for longest. Those in use are among the most recent.
-    void prune()
-    {
-        std::vector<fs::path> folders;
-        for (const fs::directory_entry& entry : fs::directory_iterator(cacheFolder()))
-            folders.push_back(entry.path());
-        if (folders.size() <= maxFolders)
-            return;
-        const auto middle = folders.begin() + maxFolders / 2;
-        std::nth_element(folders.begin(), middle, folders.end(),
-            [](const fs::path& a, const fs::path& b) { return lastUse(a) > lastUse(b); });
-        std::error_code gone;
-        std::for_each(middle, folders.end(), [&](const fs::path& folder) { fs::remove_all(folder, gone); });
     }
 
     // A compiler without room to write says all kinds of things.
@@ -82,7 +55,8 @@ fs::path cached(const std::string& key, const std::function<bool(const fs::path&
     fs::rename(fresh, folder, taken);
     if (taken)
         fs::remove_all(fresh);
-    prune();
+    static std::once_flag pruned;
+    std::call_once(pruned, [] { prune(cacheFolder(), maxFolders); });
     return folder;
 }
 

@@ -1,0 +1,33 @@
+#include "submission/prune.h"
+#include <algorithm>
+#include <vector>
+
+namespace submission {
+
+namespace fs = std::filesystem;
+
+void prune(const fs::path& folder, std::size_t maxEntries)
+{
+    struct Entry {
+        fs::path path;
+        fs::file_time_type lastUse;
+    };
+    std::error_code gone; // another process may remove it at the same time
+    std::vector<Entry> entries;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        entries.push_back({ entry.path(), entry.last_write_time(gone) });
+    if (entries.size() <= maxEntries)
+        return;
+    const auto middle = entries.begin() + static_cast<std::ptrdiff_t>(maxEntries / 2);
+    std::nth_element(
+        entries.begin(), middle, entries.end(), [](const Entry& a, const Entry& b) { return a.lastUse > b.lastUse; });
+    std::for_each(middle, entries.end(), [&](const Entry& entry) { fs::remove_all(entry.path, gone); });
+}
+
+void noteUse(const fs::path& entry)
+{
+    std::error_code gone;
+    fs::last_write_time(entry, fs::file_time_type::clock::now(), gone);
+}
+
+}
