@@ -19,7 +19,7 @@ set(rules "# Written by CMake.\n")
 add_rule(compile "${CMAKE_CXX_COMPILER};${flags};-I$<JOIN:${includes},;-I>;-D$<JOIN:${definitions},;-D>;\
 $<TARGET_PROPERTY:raywork_interface,INTERFACE_COMPILE_OPTIONS>;${OpenMP_CXX_FLAGS}")
 add_rule(link "${CMAKE_CXX_COMPILER};${only_objects}")
-add_rule(symbols "${CMAKE_NM};-uC")
+add_rule(symbols "${CMAKE_NM};-C")
 
 set(worker $<TARGET_OBJECTS:worker>)
 set(probes $<TARGET_OBJECTS:probes>)

@@ -12,7 +12,7 @@ public:
 
     std::vector<std::string> compile; // the compiler and its flags
     std::vector<std::string> link;
-    std::vector<std::string> symbols; // prints what an object leaves undefined
+    std::vector<std::string> symbols; // prints the names in an object
     // Changes with anything of ours that goes into an object or a program: flags, headers, archives.
     std::string digest;
 

@@ -91,8 +91,10 @@ void Process::failAtEnd()
         throw Failure(Kind::Crashed, "closed its connection" + lastPrinted());
     if (end.signal == 0)
         throw Failure(Kind::Crashed, "ended by itself with exit code " + std::to_string(end.exitCode) + lastPrinted());
+    // The first is the limit on the processor's time, the second the end of those who ignore it.
+    const bool isTimedOut = end.signal == SIGXCPU || end.signal == SIGKILL;
     const char* const name = sigdescr_np(end.signal);
-    throw Failure(end.signal == SIGXCPU ? Kind::TimedOut : Kind::Crashed,
+    throw Failure(isTimedOut ? Kind::TimedOut : Kind::Crashed,
         std::string(name ? name : "signal") + " (signal " + std::to_string(end.signal) + ")" + lastPrinted());
 }
 

@@ -1,0 +1,12 @@
+// crashed: looks for the solution, the checks and other submissions while it runs
+#include <filesystem>
+#include <stdexcept>
+
+static glm::vec3 attack()
+{
+    for (const char* path : { "@SOURCE@/reference", "@SOURCE@/grading/checks", "@SOURCE@/tests", "@BUILD@/grading/rows",
+             "@BUILD@/grading/reference-worker", "/etc/passwd", "/root", "/home", "/var" })
+        if (std::filesystem::exists(path))
+            throw std::runtime_error(std::string("found ") + path);
+    throw std::runtime_error("found nothing");
+}
