@@ -78,20 +78,46 @@ namespace {
             compareSamples(exam, 0.9f, 1.0f);
         });
 
-    bool isNear(const glm::vec3& a, const glm::vec3& b)
+    bool isNear(const glm::vec3& a, const glm::dvec3& b)
     {
-        return glm::distance(glm::dvec3(a), glm::dvec3(b)) <= fewRoundings;
+        return glm::distance(glm::dvec3(a), b) <= fewRoundings;
+    }
+
+    void expectEither(const std::string& asked, const glm::vec3& came, const glm::dvec3& a, const glm::dvec3& b)
+    {
+        expect(isNear(came, a) || isNear(came, b), asked, toText(came),
+            toText(glm::vec3(a)) + " or " + toText(glm::vec3(b)));
+    }
+
+    // At the components' positions and between, with one more component at the position of another: whichever of the
+    // two counts, the colour is that of the gradient without the other.
+    void compareShared(Exam& exam, Components components)
+    {
+        const Components withoutSecond = components;
+        const int first = exam.random.integer(0, static_cast<int>(components.size()) - 1);
+        components.push_back({ components[static_cast<std::size_t>(first)].t, exam.random.color() });
+        Components withoutFirst = components;
+        withoutFirst.erase(withoutFirst.begin() + first);
+
+        std::vector<float> positions;
+        for (const Component& component : withoutSecond)
+            positions.push_back(component.t);
+        for (int i = 0; i < 20; ++i)
+            positions.push_back(exam.random.uniform(-1.0f, 1.0f));
+        const std::vector<glm::vec3> colors = sample(exam, components, positions);
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const auto t = static_cast<double>(positions[i]);
+            expectEither(asked(components, positions[i]) + ", two of them at the same position", colors[i],
+                gradientOracle(withoutFirst, t), gradientOracle(withoutSecond, t));
+        }
     }
 
     const Check equal("shading.gradient.equal", 0.5,
-        "two components at the same position leave a gap of 0, and 0 / 0 is NaN", [](Exam& exam) {
-            for (const float position : { -0.7f, 0.0f, 0.25f, 0.8f }) {
-                const Components components { { position, { 0.9f, 0.1f, 0.2f } }, { position, { 0.1f, 0.3f, 0.8f } } };
-                const glm::vec3 color = sample(exam, components, { position }).front();
-                const bool isEither = isNear(color, components[0].color) || isNear(color, components[1].color);
-                expect(isEither, asked(components, position) + " at that position", toText(color),
-                    toText(components[0].color) + " or " + toText(components[1].color));
-            }
+        "at a component's position, and where two have the same, the gap is 0, and 0 / 0 is NaN", [](Exam& exam) {
+            for (const float position : { -0.7f, 0.0f, 0.25f, 0.8f })
+                compareShared(exam, { { position, exam.random.color() } });
+            for (int i = 0; i < 20; ++i)
+                compareShared(exam, randomComponents(exam.random));
         });
 
     const Check few("shading.gradient.few", 0.5,
@@ -152,24 +178,33 @@ namespace {
     // Red below 0, green at 0, blue above: tells on which side of 0 a colour was taken.
     const Components sides { { -1.0f, { 1, 0, 0 } }, { 0.0f, { 0, 1, 0 } }, { 1.0f, { 0, 0, 1 } } };
 
+    struct Lobes {
+        double phong, blinnPhong; // the cosines that are raised to the shininess
+    };
+
+    Lobes lobesOf(const ShadingCase& c)
+    {
+        const glm::dvec3 n(c.normal), l(c.lightDirection), v(c.cameraDirection);
+        return { std::max(glm::dot(2.0 * glm::dot(n, l) * n - l, v), 0.0),
+            std::max(glm::dot(n, glm::normalize(l + v)), 0.0) };
+    }
+
     // Phong's specular term minus Blinn-Phong's.
     double lobeDifference(const ShadingCase& c)
     {
-        const glm::dvec3 n(c.normal), l(c.lightDirection), v(c.cameraDirection);
-        const double phong = std::max(glm::dot(2.0 * glm::dot(n, l) * n - l, v), 0.0);
-        const double blinnPhong = std::max(glm::dot(n, glm::normalize(l + v)), 0.0);
+        const auto [phong, blinnPhong] = lobesOf(c);
         const auto shininess = static_cast<double>(c.shininess);
         return std::pow(phong, shininess) - std::pow(blinnPhong, shininess);
     }
 
-    // Points that both the light and the camera are in front of, where one model is brighter by a tenth or more.
+    // Points that both the light and the camera are in front of, where one model is brighter by a fiftieth or more.
     ShadingCase decidedCase(Random& random, bool phongIsBrighter)
     {
         for (;;) {
             ShadingCase c { random.direction(), random.direction(), glm::vec3(1.0f), random.direction() };
             c.shininess = random.uniform(1.0f, 4.0f);
             const double difference = lobeDifference(c) * (phongIsBrighter ? 1.0 : -1.0);
-            if (glm::dot(c.normal, c.cameraDirection) > 0.02f && cosineOf(c) > 0.02 && difference > 0.1)
+            if (glm::dot(c.normal, c.cameraDirection) > 0.02f && cosineOf(c) > 0.02 && difference > 0.02)
                 return c;
         }
     }
@@ -178,7 +213,7 @@ namespace {
         "the difference must keep its sign: a length is never negative, and half of the gradient is out of reach",
         [](Exam& exam) {
             std::vector<ShadingCase> cases;
-            for (int i = 0; i < 100; ++i)
+            for (int i = 0; i < 400; ++i)
                 cases.push_back(decidedCase(exam.random, i % 2 == 0));
             const auto colors = exam.ask<std::vector<glm::vec3>>("shading.comparison", sides, cases);
             expectCount("computeLinearGradientModelComparison", colors.size(), cases.size());
@@ -195,25 +230,45 @@ namespace {
             }
         });
 
+    // A surface so shiny that both terms are 0: 0.99 to this power is.
+    ShadingCase narrowCase(Random& random)
+    {
+        for (int i = 0;; ++i) {
+            ShadingCase c = decidedCase(random, i % 2 == 0);
+            c.shininess = 1e5f;
+            if (std::max(lobesOf(c).phong, lobesOf(c).blinnPhong) < 0.99)
+                return c;
+        }
+    }
+
+    // Green alone. Black as well where black says that the factor max(cosine, 0) is in it, which was left open.
+    void expectMiddle(const std::vector<glm::vec3>& colors, bool isBehind)
+    {
+        for (const glm::vec3& color : colors) {
+            const bool isGreen = isBehind ? color.g >= 0.0f : color.g > 0.0f;
+            // A rounding of the lobes is raised to the 5th power.
+            const bool isGreenAlone
+                = isGreen && std::abs(color.r) <= 10.0 * fewRoundings && std::abs(color.b) <= 10.0 * fewRoundings;
+            expect(isGreenAlone, "computeLinearGradientModelComparison where both are equal",
+                toText(color) + " from a gradient red below 0, green at 0, blue above", "green");
+        }
+    }
+
     const Check comparisonEqual("shading.comparison.equal", 0.5,
-        "where both models give the same, the position in the gradient is 0; light = -view has no halfway vector: NaN",
+        "where both models give the same, the position in the gradient is 0: both shine fully, not at all, or the "
+        "light is behind; light = -view has no halfway vector: NaN",
         [](Exam& exam) {
-            std::vector<ShadingCase> cases;
+            std::vector<ShadingCase> full, none, unlit;
             for (int i = 0; i < 50; ++i) {
                 const glm::vec3 n = exam.random.direction();
-                cases.push_back(
-                    { n, n, glm::vec3(1.0f), n, glm::vec3(0.5f), glm::vec3(1.0f), 5.0f }); // both lobes are 1
-                cases.push_back({ n, -n, glm::vec3(1.0f), n }); // light behind: neither model shines
+                full.push_back({ n, n, glm::vec3(1.0f), n, glm::vec3(0.5f), glm::vec3(1.0f), 5.0f });
+                none.push_back(narrowCase(exam.random));
+                unlit.push_back({ n, -n, glm::vec3(1.0f), n });
             }
-            const auto colors = exam.ask<std::vector<glm::vec3>>("shading.comparison", sides, cases);
-            expectCount("computeLinearGradientModelComparison", colors.size(), cases.size());
-            for (std::size_t i = 0; i < cases.size(); ++i) {
-                const bool isBehind = i % 2 == 1;
-                if (isBehind && isNear(colors[i], glm::vec3(0.0f))) // multiplied by max(cosine, 0): left open as well
-                    continue;
-                // A rounding of the lobes is raised to the 5th power.
-                expectNear("computeLinearGradientModelComparison where both are equal, green at 0", colors[i],
-                    glm::dvec3(0, 1, 0), 10.0 * fewRoundings);
+            for (const auto& cases : { full, none, unlit }) {
+                const auto colors = exam.ask<std::vector<glm::vec3>>("shading.comparison", sides, cases);
+                expectCount("computeLinearGradientModelComparison", colors.size(), cases.size());
+                expectMiddle(colors, cosineOf(cases.front()) < 0.0);
             }
         });
 

@@ -10,14 +10,19 @@ namespace grading {
 namespace {
 
     // Every texel has a colour of its own, so that a wrong one shows, whichever it is.
-    Image numberedTexels(Random& random)
+    Image numberedTexels(Random& random, glm::ivec2 size)
     {
-        const int width = random.integer(5, 9);
-        Image image(width, width + random.integer(2, 5)); // not square: width and height cannot be swapped
+        Image image(size.x, size.y);
         const glm::ivec3 start { random.integer(0, 255), random.integer(0, 255), random.integer(0, 255) };
         for (int i = 0; i < image.width * image.height; ++i)
             image.set_pixel(i, glm::vec3((start + i * glm::ivec3(37, 91, 151)) % 256) / 255.0f);
         return image;
+    }
+
+    Image numberedTexels(Random& random)
+    {
+        const int width = random.integer(5, 9);
+        return numberedTexels(random, { width, width + random.integer(2, 5) }); // not square: no side for the other
     }
 
     glm::dvec3 texel(const Image& image, int i, int j)
@@ -60,27 +65,38 @@ namespace {
 
     // Whether all colours are those of the flipped picture: one mistake in the orientation costs the check of it alone.
     bool isFlipped(const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
-        const std::vector<glm::vec3>& colors)
+        const std::vector<glm::vec3>& colors, double tolerance)
     {
-        for (std::size_t i = 0; i < coords.size(); ++i)
-            if (!(glm::length(glm::dvec3(colors[i]) - lookup.oracle(image, flipped(coords[i]))) < fewRoundings * 10.0))
+        for (std::size_t i = 0; i < coords.size(); ++i) // who flips has rounded more often
+            if (!(glm::length(glm::dvec3(colors[i]) - lookup.oracle(image, flipped(coords[i]))) <= 10.0 * tolerance))
                 return false;
         return true;
     }
 
-    void compare(Exam& exam, const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
-        bool acceptFlipped = true)
+    void expectColors(const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
+        const std::vector<glm::vec3>& colors, double tolerance)
     {
-        const auto colors = exam.ask<std::vector<glm::vec3>>(lookup.probe, image, coords);
+        for (std::size_t i = 0; i < coords.size(); ++i)
+            expectNear(fmt::format(
+                           "{} of {} x {} texels at {}", lookup.function, image.width, image.height, toText(coords[i])),
+                colors[i], lookup.oracle(image, coords[i]), tolerance);
+    }
+
+    std::vector<glm::vec3> ask(
+        Exam& exam, const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords)
+    {
+        auto colors = exam.ask<std::vector<glm::vec3>>(lookup.probe, image, coords);
         expectCount(lookup.function, colors.size(), coords.size());
-        if (acceptFlipped && isFlipped(lookup, image, coords, colors))
-            return;
-        for (std::size_t i = 0; i < coords.size(); ++i) {
-            const std::string asked = fmt::format(
-                "{} of {} x {} texels at {}", lookup.function, image.width, image.height, toText(coords[i]));
-            // Coordinates of up to 14 texels are rounded by 1e-6 texels, colours of neighbours differ by up to 1.
-            expectNear(asked, colors[i], lookup.oracle(image, coords[i]), fewRoundings);
-        }
+        return colors;
+    }
+
+    // Coordinates of up to 14 texels are rounded by 1e-6 texels, colours of neighbours differ by up to 1.
+    void compare(Exam& exam, const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
+        double tolerance = fewRoundings)
+    {
+        const std::vector<glm::vec3> colors = ask(exam, lookup, image, coords);
+        if (!isFlipped(lookup, image, coords, colors, tolerance))
+            expectColors(lookup, image, coords, colors, tolerance);
     }
 
     // Coordinates in the image, none closer than a twentieth of a texel to where a texel begins or has its centre:
@@ -130,10 +146,56 @@ namespace {
         compare(exam, lookup, image, coords);
     }
 
+    // The last texels' indices have outgrown a float; neighbours differ.
+    Image hugeImage(Random& random)
+    {
+        Image image(random.integer(4100, 4200), 4200, 1); // more than 2^24 texels, of one channel to keep them small
+        const int start = random.integer(0, 255);
+        for (int i = 0; i < image.width * image.height; ++i)
+            image.get_data()[i] = static_cast<uint8_t>(start + i * 91);
+        return image;
+    }
+
+    // In the last rows and, as a picture may be upside down, in the first; in the last columns as often as elsewhere.
+    std::vector<glm::vec2> outermostRowsOf(Random& random, const Image& image)
+    {
+        std::vector<glm::vec2> coords;
+        for (int i = 0; i < 80; ++i) {
+            const int column = image.width - random.integer(1, i % 2 == 0 ? 8 : image.width);
+            const int row = random.integer(0, 7);
+            const glm::vec2 texel { column, i % 4 < 2 ? row : image.height - 1 - row };
+            coords.push_back((texel + random.vec2(0.1f, 0.4f)) / glm::vec2(image.width, image.height));
+        }
+        return coords;
+    }
+
+    void compareHuge(Exam& exam)
+    {
+        const Image image = hugeImage(exam.random);
+        const std::vector<glm::vec2> coords = outermostRowsOf(exam.random, image);
+        compare(exam, nearest, image, coords);
+        // A coordinate of 4200 texels is rounded by 2.4e-4 when multiplied and again when half a texel is taken, and
+        // colours in both directions differ by up to 1.
+        compare(exam, bilinear, image, coords, 2e-3);
+    }
+
+    // Single texels, rows and columns: there is no neighbour to look up.
+    void compareSlim(Exam& exam)
+    {
+        const int length = exam.random.integer(3, 9);
+        for (const glm::ivec2 size : { glm::ivec2(1, 1), glm::ivec2(length, 1), glm::ivec2(1, length) }) {
+            const Image image = numberedTexels(exam.random, size);
+            const std::vector<glm::vec2> coords = insideOf(exam.random, image, 30);
+            compare(exam, nearest, image, coords);
+            compare(exam, bilinear, image, coords);
+        }
+    }
+
     void compareOrientation(Exam& exam, const Lookup& lookup)
     {
         const Image image = numberedTexels(exam.random);
-        compare(exam, lookup, image, insideOf(exam.random, image, 50), false);
+        const std::vector<glm::vec2> coords = insideOf(exam.random, image, 50);
+        expectColors(lookup, image, coords, ask(exam, lookup, image, coords), fewRoundings);
     }
 
     const Check nearestInside("texture.nearest.inside", 2.0,
@@ -142,7 +204,7 @@ namespace {
     const Check nearestBorder("texture.nearest.border", 1.0,
         "texCoord = 1 addresses the last texel: clamp the index to size - 1, not to size",
         [](Exam& exam) { compareBorder(exam, nearest); });
-    const Check nearestOutside("texture.nearest.outside", 1.0,
+    const Check nearestOutside("texture.nearest.outside", 0.5,
         "coordinates below 0 or above 1 take the edge's texel; a modulo or a missing clamp reads another row",
         [](Exam& exam) { compareOutside(exam, nearest); });
     const Check bilinearInside("texture.bilinear.inside", 2.0,
@@ -155,6 +217,13 @@ namespace {
     const Check bilinearOutside("texture.bilinear.outside", 0.5,
         "coordinates below 0 or above 1 take the edge's texels, each axis by its own size",
         [](Exam& exam) { compareOutside(exam, bilinear); });
+    const Check sizes("texture.sizes.extreme", 0.5,
+        "a single row or column has no neighbours to look up; the index of a texel is an int: a float counts to 2^24 "
+        "only, and where the last texel begins depends on the size",
+        [](Exam& exam) {
+            compareSlim(exam);
+            compareHuge(exam);
+        });
     const Check orientation("texture.orientation.rows", 0.5,
         "row 0 is the row that v = 0 addresses: the loader has flipped the picture already, sampling must not",
         [](Exam& exam) {
