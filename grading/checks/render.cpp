@@ -73,17 +73,22 @@ namespace {
         return places;
     }
 
-    // 16 rays for each of 600 pixels, the first two of which are one pixel with two seeds.
-    std::vector<Places> manyPlaces(Exam& exam, const Sampling& sampling)
+    // 16 rays for each of 600 pixels, the first two of which are one pixel with two seeds: each ray is anywhere in its
+    // cell, of n x n in a pixel. Which cell that is, other checks ask.
+    void compareWithinCells(Exam& exam, const Sampling& sampling, int n)
     {
         const Config config = randomConfig(exam.random, 16);
-        std::vector<PixelCase> pixels = randomPixels(exam.random, config, 600);
-        pixels[1].pixel = pixels[0].pixel;
-        std::vector<Places> places = placesOf(exam, sampling, config, pixels);
-        expect(!places[0].empty(), sampling.function, "no rays", "16 a pixel");
-        expect(places[0] != places[1], sampling.function + " for one pixel and two seeds of state.sampler",
+        std::vector<PixelCase> cases = randomPixels(exam.random, config, 600);
+        cases[1].pixel = cases[0].pixel;
+        std::vector<Places> pixels = placesOf(exam, sampling, config, cases);
+        expect(!pixels[0].empty(), sampling.function, "no rays", "16 a pixel");
+        expect(pixels[0] != pixels[1], sampling.function + " for one pixel and two seeds of state.sampler",
             "the same rays", "rays that follow from state.sampler");
-        return places;
+        for (Places& places : pixels)
+            for (glm::dvec2& place : places)
+                place = glm::fract(place * static_cast<double>(n));
+        expectIndependent(
+            fmt::format("{}, places in {},", sampling.function, n == 1 ? "the pixel" : "the cells"), pixels);
     }
 
     void compareCount(Exam& exam, const Sampling& sampling, const std::vector<uint32_t>& numbers)
@@ -144,7 +149,7 @@ namespace {
 
     const Check uniformDistribution("multisampling.uniform.distribution", 2.0,
         "each ray goes through a point of its own, with a new random number for x and another for y; no grid",
-        [](Exam& exam) { expectIndependent(uniform.function, manyPlaces(exam, uniform)); });
+        [](Exam& exam) { compareWithinCells(exam, uniform, 1); });
 
     const Check stratifiedCount(
         "multisampling.stratified.count", 1.0, "n = round(sqrt(numPixelSamples)), and n x n rays", [](Exam& exam) {
@@ -165,13 +170,8 @@ namespace {
         });
 
     const Check stratifiedJitter("multisampling.stratified.jitter", 2.0,
-        "within its cell a ray is anywhere: two random numbers, divided by n and not by n * n", [](Exam& exam) {
-            std::vector<Places> pixels = manyPlaces(exam, stratified);
-            for (Places& places : pixels)
-                for (glm::dvec2& place : places)
-                    place = glm::fract(place * 4.0); // of 4 x 4 cells
-            expectIndependent(stratified.function + ", places in the cells,", pixels);
-        });
+        "within its cell a ray is anywhere: two random numbers, divided by n and not by n * n",
+        [](Exam& exam) { compareWithinCells(exam, stratified, 4); });
 
     const Check picture("multisampling.picture.edges", 1.0, "see the checks of the pixel rays", [](Exam& exam) {
         compareNoisyPictures(exam, pictureOf("multisampling"));
