@@ -1,72 +1,11 @@
 #include "grading/check.h"
+#include "grading/checks/recursive_ways.h"
 #include "grading/expect.h"
-#include "grading/oracle/recursion.h"
 #include "grading/picture.h"
 #include <fmt/format.h>
 
 namespace grading {
 namespace {
-
-    constexpr float cosineOfGrazing = 0.2f; // offsets along a ray that grazes the surface hardly leave it
-
-    // A ray that meets a surface at a point within 3.3 of the origin, at an angle to the normal with a cosine between
-    // the two.
-    Incidence incidenceAt(Random& random, float minCosine, float maxCosine)
-    {
-        Incidence incidence;
-        const glm::vec3 normal = random.direction();
-        const glm::vec3 tangent = glm::normalize(glm::cross(normal, random.direction()));
-        const float cosine = random.uniform(minCosine, maxCosine);
-        const glm::vec3 direction = std::sqrt(1.0f - cosine * cosine) * tangent - cosine * normal;
-        incidence.ray = { random.vec3(-1.0f, 1.0f), glm::normalize(direction), random.uniform(0.5f, 1.5f) };
-        incidence.hitInfo.normal = normal;
-        return incidence;
-    }
-
-    std::vector<Incidence> incidencesAt(Random& random, float minCosine, float maxCosine)
-    {
-        std::vector<Incidence> incidences;
-        for (int i = 0; i < 100; ++i)
-            incidences.push_back(incidenceAt(random, minCosine, maxCosine));
-        return incidences;
-    }
-
-    Incidence headOn(Random& random)
-    {
-        Incidence incidence = incidenceAt(random, cosineOfGrazing, 1.0f);
-        incidence.ray.direction = -incidence.hitInfo.normal;
-        return incidence;
-    }
-
-    // One of the two ways of light that are graded.
-    struct Way {
-        std::string rayProbe, rayFunction;
-        std::string componentProbe, componentFunction;
-        glm::dvec3 (*direction)(const Incidence&); // oracle, unit
-        double side; // where the new ray starts: +1 where the normal points, -1 behind the surface
-        Combine combine; // oracle
-    };
-    const Way reflection { "recursive.reflectionRay", "generateReflectionRay", "recursive.specular",
-        "renderRaySpecularComponent", mirrored, 1.0, addMirrored };
-    const Way passthrough { "recursive.passthroughRay", "generatePassthroughRay", "recursive.transparent",
-        "renderRayTransparentComponent", straightOn, -1.0, blendWithBehind };
-
-    std::string describe(const Incidence& incidence)
-    {
-        return fmt::format("the ray from {} along {} that meets a surface with normal {} at t = {}",
-            toText(incidence.ray.origin), toText(incidence.ray.direction), toText(incidence.hitInfo.normal),
-            toText(incidence.ray.t));
-    }
-
-    // Calls judge(what was asked, incidence, ray) for each.
-    template <typename Judge>
-    void judgeRays(Exam& exam, const Way& way, const std::vector<Incidence>& incidences, const Judge& judge)
-    {
-        const auto rays = exam.ask<std::vector<Ray>>(way.rayProbe, incidences);
-        expectCount(way.rayFunction, rays.size(), incidences.size());
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            judge(fmt::format("{} for {}", way.rayFunction, describe(incidences[i])), incidences[i], rays[i]);
-    }
 
     // The length is left to other checks.
     void compareDirection(Exam& exam, const Way& way, std::vector<Incidence> incidences)
@@ -80,22 +19,9 @@ namespace {
 
     void compareOrigin(Exam& exam, const Way& way)
     {
-        // Right offsets are from 1e-5 to 1e-3. Points of up to 3.3 are rounded by 6e-7 in all: the smallest is told
-        // from 1e-6, which is too small, and remains on its side of the surface by 1e-6 at least.
-        constexpr double leastOffset = 5e-6;
-        constexpr double mostOffset = 2e-3;
-        constexpr double leastHeight = 1e-6;
         const std::vector<Incidence> incidences = incidencesAt(exam.random, cosineOfGrazing, 0.95f);
         judgeRays(exam, way, incidences, [&](const std::string& asked, const Incidence& incidence, const Ray& ray) {
-            const glm::dvec3 offset = glm::dvec3(ray.origin) - incidence.point();
-            const double distance = glm::length(offset);
-            const double height = glm::dot(offset, glm::dvec3(incidence.hitInfo.normal));
-            const bool isNear = distance >= leastOffset && distance <= mostOffset;
-            expect(isNear && height * way.side >= leastHeight, "the origin of " + asked,
-                fmt::format("{}, which is {:.1e} from the hit point and {:.1e} {} the surface", toText(ray.origin),
-                    distance, std::abs(height), height < 0.0 ? "behind" : "in front of"),
-                fmt::format("the hit point {}, moved by 1e-5 to 1e-3 to where it is {} the surface",
-                    toText(glm::vec3(incidence.point())), way.side < 0.0 ? "behind" : "in front of"));
+            expectOffSurface(asked, way, incidence, ray);
         });
     }
 
@@ -107,18 +33,18 @@ namespace {
         });
     }
 
-    // Rays whose t counts in other units than a unit vector's.
-    void compareUnit(Exam& exam)
+    // Rays whose t counts in other units than a unit vector's. Only mirrored directions are to be unit again.
+    void compareUnits(Exam& exam, const Way& way)
     {
         std::vector<Incidence> incidences = incidencesAt(exam.random, cosineOfGrazing, 0.95f);
         for (Incidence& incidence : incidences)
             incidence.ray.direction *= exam.random.integer(0, 1) == 0 ? 0.5f : 2.0f;
         constexpr double nearEnough = 2e-2; // where t counts in unit lengths the hit point is 0.25 off or more
-        judgeRays(
-            exam, reflection, incidences, [](const std::string& asked, const Incidence& incidence, const Ray& ray) {
+        judgeRays(exam, way, incidences, [&](const std::string& asked, const Incidence& incidence, const Ray& ray) {
+            if (way.side > 0.0)
                 expectNear("the direction of " + asked, ray.direction, mirrored(incidence), fewRoundings);
-                expectNear("the origin of " + asked, ray.origin, incidence.point(), nearEnough);
-            });
+            expectNear("the origin of " + asked, ray.origin, incidence.point(), nearEnough);
+        });
     }
 
     // One lit surface with a colour of its own in the way of the further ray.
@@ -126,6 +52,7 @@ namespace {
     {
         Recursion recursion { incidenceAt(random, cosineOfGrazing, 0.95f), hitColor, 0, random.color(), {} };
         recursion.incidence.hitInfo.material = material;
+        recursion.incidence.hitInfo.material.kd = random.color();
         recursion.hits.push_back({ random.direction(), random.uniform(0.5f, 1.5f), { .kd = random.color() } });
         return recursion;
     }
@@ -145,21 +72,23 @@ namespace {
         const auto answer = exam.ask<RecursionAnswer>(way.componentProbe, recursion);
         const Material& material = recursion.incidence.hitInfo.material;
         const glm::dvec3 further = lightFrom(recursion, way.combine);
-        const std::string asked = fmt::format(
-            "{} with ks {}, transparency {}, hitColor {} and {} along the further ray", way.componentFunction,
-            toText(material.ks), toText(material.transparency), toText(recursion.hitColor), toText(glm::vec3(further)));
+        const std::string asked
+            = fmt::format("{} at depth {} with ks {}, transparency {}, hitColor {} and {} along the further ray",
+                way.componentFunction, recursion.rayDepth, toText(material.ks), toText(material.transparency),
+                toText(recursion.hitColor), toText(glm::vec3(further)));
         const glm::dvec3 expected = way.combine(glm::dvec3(recursion.hitColor), material, further);
         expectNear(asked, answer.hitColor, expected, 4.0 * fewRoundings); // of colours of up to 4
     }
 
+    // Materials of which each component is to use its own part alone.
     Material mirror(const glm::vec3& ks)
     {
-        return { .ks = ks };
+        return { .ks = ks, .shininess = 5.0f, .transparency = 0.6f };
     }
 
     Material veil(float alpha)
     {
-        return { .transparency = alpha };
+        return { .ks = { 0.2f, 0.4f, 0.7f }, .shininess = 5.0f, .transparency = alpha };
     }
 
     // renderRay goes on below depth 6: from depth d come 6 - d further rays if each is one deeper than the last.
@@ -177,19 +106,22 @@ namespace {
         }
     }
 
-    // The component is judged by the submission's own ray: a mistake in that has cost its points already.
+    // The component is judged by the submission's own ray: a mistake in that has cost its points already. A component
+    // may make a ray of its own, if that is right.
     void compareRay(Exam& exam, const Way& way, const Material& material)
     {
         const Recursion recursion = recursionWith(exam.random, material, glm::vec3(0.0f));
         const auto answer = exam.ask<RecursionAnswer>(way.componentProbe, recursion);
-        const std::string asked = fmt::format("{} at {}", way.componentFunction, describe(recursion.incidence));
-        expect(!answer.rays.empty(), asked, "no further ray", "one");
-        constexpr double nearEnough = 5e-3; // for two offsets of different kinds
-        judgeRays(exam, way, { recursion.incidence }, [&](const std::string&, const Incidence&, const Ray& ray) {
-            expectNear("the direction of the ray sent by " + asked, answer.rays[0].direction, glm::dvec3(ray.direction),
-                fewRoundings);
-            expectNear(
-                "the origin of the ray sent by " + asked, answer.rays[0].origin, glm::dvec3(ray.origin), nearEnough);
+        const std::string sender = fmt::format("{} at {}", way.componentFunction, describe(recursion.incidence));
+        expect(!answer.rays.empty(), sender, "no further ray", "one");
+        const Ray& sent = answer.rays[0];
+        const std::string asked = "the ray sent by " + sender;
+        constexpr double fewSteps = 1e-6; // of coordinates up to 3.3; a right offset is longer
+        judgeRays(exam, way, { recursion.incidence }, [&](const std::string&, const Incidence& it, const Ray& own) {
+            expectNear("the direction of " + asked, sent.direction, glm::dvec3(own.direction), fewRoundings);
+            if (glm::distance(glm::dvec3(sent.origin), glm::dvec3(own.origin)) > fewSteps)
+                expectOffSurface(asked, way, it, sent);
+            expect(sent.t == own.t || sent.t >= FLT_MAX, "t of " + asked, toText(sent.t), "FLT_MAX");
         });
     }
 
@@ -198,7 +130,7 @@ namespace {
         [](Exam& exam) { compareDirection(exam, reflection, incidencesAt(exam.random, 0.01f, 1.0f)); });
     const Check reflectionUnit("reflection.ray.unit", 0.5,
         "the ray that came in need not have a unit direction: normalise the result, but not d in origin + t * d",
-        compareUnit);
+        [](Exam& exam) { compareUnits(exam, reflection); });
     const Check reflectionOrigin("reflection.ray.origin", 1.5,
         "start a little off the surface (1e-4, say, along the normal): without, the ray meets where it starts; much "
         "more shows",
@@ -207,9 +139,14 @@ namespace {
         [](Exam& exam) { compareReach(exam, reflection); });
     const Check reflectionColor("reflection.light.color", 1.5,
         "each channel of what renderRay returns for the reflected ray is multiplied by that of ks", [](Exam& exam) {
-            for (int i = 0; i < 10; ++i)
-                compareColor(
-                    exam, reflection, recursionWith(exam.random, mirror(exam.random.color()), glm::vec3(0.0f)));
+            for (int i = 0; i < 10; ++i) {
+                glm::vec3 ks = exam.random.color();
+                if (i < 3)
+                    ks[i] = 0.0f; // a mirror all the same
+                Recursion recursion = recursionWith(exam.random, mirror(ks), glm::vec3(0.0f));
+                recursion.rayDepth = i % 3;
+                compareColor(exam, reflection, recursion);
+            }
         });
     const Check reflectionAdded("reflection.light.added", 1.0,
         "the mirrored light comes on top of hitColor: += rather than = or a blend", [](Exam& exam) {
@@ -236,16 +173,29 @@ namespace {
 
     const Check passthroughDirection("transparency.ray.direction", 1.0, "the ray goes on in the direction it came in",
         [](Exam& exam) { compareDirection(exam, passthrough, incidencesAt(exam.random, 0.01f, 1.0f)); });
-    const Check passthroughOrigin("transparency.ray.origin", 2.0,
+    const Check passthroughUnits("transparency.ray.units", 0.5,
+        "the ray that came in need not have a unit direction: its t counts in units of it, as in origin + t * d",
+        [](Exam& exam) { compareUnits(exam, passthrough); });
+    const Check passthroughOrigin("transparency.ray.origin", 1.5,
         "start a little behind the surface: move along the ray or against the normal by 1e-4, say; a number added to "
         "all three coordinates moves towards (1, 1, 1), whichever way the ray goes",
         [](Exam& exam) { compareOrigin(exam, passthrough); });
     const Check passthroughReach("transparency.ray.reach", 0.5, "the new ray has met nothing yet: its t is FLT_MAX",
         [](Exam& exam) { compareReach(exam, passthrough); });
-    const Check transparencyAlpha("transparency.light.alpha", 2.5,
+    const Check transparencyAlpha("transparency.light.alpha", 2.0,
         "transparency is alpha, and 1 is opaque: hitColor * alpha + behind * (1 - alpha)", [](Exam& exam) {
-            for (const float alpha : { 0.2f, 0.7f, 1.0f, 0.0f, exam.random.uniform() })
-                compareColor(exam, passthrough, recursionWith(exam.random, veil(alpha), exam.random.color()));
+            for (const float alpha : { 0.2f, 0.7f, 1.0f, 0.0f, exam.random.uniform() }) {
+                Recursion recursion = recursionWith(exam.random, veil(alpha), exam.random.color());
+                recursion.rayDepth = exam.random.integer(0, 2);
+                compareColor(exam, passthrough, recursion);
+            }
+        });
+    const Check transparencyNothing("transparency.light.nothing", 0.5,
+        "where nothing is behind, renderRay returns black: blend hitColor with that as with any other colour",
+        [](Exam& exam) {
+            Recursion recursion = recursionWith(exam.random, veil(0.5f), exam.random.color());
+            recursion.hits.clear();
+            compareColor(exam, passthrough, recursion);
         });
     const Check transparencyLayers("transparency.light.layers", 1.0,
         "each layer is blended with all that lies behind it, by renderRay, not with the next surface alone",

@@ -5,7 +5,7 @@
 namespace grading {
 
 // Answers each new ray with the next hit of a script, and remembers the rays. A ray that is sent again, to be drawn up
-// to its hit for instance, meets the same again.
+// to its hit for instance, meets the same again, whatever was sent between.
 class ScriptedBVH : public BVHInterface {
 public:
     explicit ScriptedBVH(std::vector<ScriptedHit> hits)
@@ -17,11 +17,10 @@ public:
     {
         if (++m_numAsked > enough)
             return false;
-        if (m_rays.empty() || !isSame(ray, m_rays.back()))
-            m_rays.push_back(ray);
-        if (m_rays.size() > m_hits.size())
+        const std::size_t index = indexOf(ray);
+        if (index >= m_hits.size())
             return false;
-        const ScriptedHit& hit = m_hits[m_rays.size() - 1];
+        const ScriptedHit& hit = m_hits[index];
         ray.t = hit.t;
         hitInfo = {};
         hitInfo.normal = glm::dot(hit.normal, ray.direction) > 0.0f ? -hit.normal : hit.normal;
@@ -41,7 +40,16 @@ public:
 private:
     static constexpr int enough = 1000; // a recursion that repeats one ray at one depth ends here
 
-    static bool isSame(const Ray& a, const Ray& b) { return a.origin == b.origin && a.direction == b.direction; }
+    // Of the rays that differ, in the order sent.
+    std::size_t indexOf(const Ray& ray) const
+    {
+        const auto isSame = [&](const Ray& r) { return r.origin == ray.origin && r.direction == ray.direction; };
+        const auto known = std::find_if(m_rays.begin(), m_rays.end(), isSame);
+        const auto index = static_cast<std::size_t>(known - m_rays.begin());
+        if (known == m_rays.end())
+            m_rays.push_back(ray);
+        return index;
+    }
 
     std::vector<ScriptedHit> m_hits;
     mutable std::vector<Ray> m_rays;
