@@ -34,6 +34,13 @@ Stage randomStage(Random& random)
     return stage;
 }
 
+void stretch(Stage& stage, Random& random)
+{
+    const float length = (random.integer(0, 1) == 0 ? 4.0f : 0.25f) * random.uniform(0.8f, 1.2f);
+    stage.shaded.ray.direction *= length;
+    stage.shaded.ray.t /= length;
+}
+
 void addSurface(Stage& stage, Random& random, bool isSphere)
 {
     const auto& [normal, barycentric, texCoord, material] = stage.shaded.hitInfo;

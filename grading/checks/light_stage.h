@@ -9,6 +9,9 @@ namespace grading {
 // A point of a surface with some opaque material, seen from its front; shading and shadows are on.
 [[nodiscard]] Stage randomStage(Random& random);
 
+// Makes the view ray's direction some other length than 1, about 4 or 1/4; the shaded point stays.
+void stretch(Stage& stage, Random& random);
+
 // Around the shaded point: a large triangle, or a sphere.
 void addSurface(Stage& stage, Random& random, bool isSphere);
 

@@ -24,10 +24,24 @@ namespace {
         return std::pow(10.0f, random.uniform(-1.0f, 1.7f));
     }
 
+    Material glass(Random& random, float alpha)
+    {
+        Material material = randomMaterial(random);
+        material.transparency = alpha;
+        return material;
+    }
+
+    // Half of them of glass: whatever lies in between, a light that is visible or not is not.
     void addBlocker(Stage& stage, Random& random, const glm::vec3& light)
     {
         const auto fraction = static_cast<double>(random.uniform(0.3f, 0.8f));
-        addPane(stage, random, light, fraction, randomMaterial(random));
+        addPane(stage, random, light, fraction, glass(random, random.integer(0, 1) == 0 ? 1.0f : 0.4f));
+    }
+
+    // Closer to a surface or a light than this nothing is asked: shadow rays may start and end up to 1e-3 beside them.
+    float smallGap(Random& random)
+    {
+        return random.uniform(0.004f, 0.008f);
     }
 
     void addBlockingSphere(Stage& stage, Random& random, const glm::vec3& light)
@@ -58,13 +72,15 @@ namespace {
         "what lies behind the light throws no shadow: the shadow ray's t is the distance to the light, in units of its "
         "direction",
         [](Exam& exam) {
-            for (int i = 0; i < 60; ++i) {
+            for (int i = 0; i < 90; ++i) {
                 Stage stage = randomStage(exam.random);
-                const float distance = anyDistance(exam.random);
+                const bool isClose = i % 3 == 0; // as the ceiling that a lamp hangs from
+                const float distance = isClose ? exam.random.uniform(0.5f, 2.0f) : anyDistance(exam.random);
                 const glm::vec3 light = lightPosition(exam.random, stage, distance);
-                const double gap = std::max(0.01, static_cast<double>(exam.random.uniform(0.05f, 1.0f) * distance));
+                const float gap
+                    = isClose ? smallGap(exam.random) : std::max(0.01f, exam.random.uniform(0.05f, 1.0f) * distance);
                 addPane(
-                    stage, exam.random, light, 1.0 + gap / static_cast<double>(distance), randomMaterial(exam.random));
+                    stage, exam.random, light, 1.0 + static_cast<double>(gap / distance), randomMaterial(exam.random));
                 expectVisibility(exam, stage, light, true, fmt::format("a triangle {:.3g} behind the light", gap));
                 addBlocker(stage, exam.random, light);
                 expectVisibility(exam, stage, light, false, "a triangle behind the light, and one in between");
@@ -84,16 +100,25 @@ namespace {
         });
 
     const Check close("light.binary.close", 0.5,
-        "a shadow ray that starts 1e-2 away from the surface jumps over what stands close to it: 1e-3 is enough",
+        "a shadow ray that starts 1e-2 away from the surface, or ends so far before the light, jumps over what stands "
+        "close to it: 1e-3 is enough",
         [](Exam& exam) {
             for (int i = 0; i < 60; ++i) {
-                Stage stage = randomStage(exam.random);
-                const glm::vec3 light = lightPosition(exam.random, stage, exam.random.uniform(1.0f, 3.0f), 0.5f);
-                const double height = static_cast<double>(exam.random.uniform(0.004f, 0.008f));
-                const glm::vec3 normal = stage.shaded.hitInfo.normal;
-                addTriangleAround(stage.scene, stage.shaded.point() + height * glm::dvec3(normal), normal, 0.3f,
-                    randomMaterial(exam.random));
-                expectVisibility(exam, stage, light, false, fmt::format("a triangle {:.2g} above the surface", height));
+                const Stage open = randomStage(exam.random);
+                const float distance = exam.random.uniform(1.0f, 3.0f);
+                const glm::vec3 light = lightPosition(exam.random, open, distance, 0.5f);
+                const float gap = smallGap(exam.random);
+                const glm::vec3 normal = open.shaded.hitInfo.normal;
+
+                Stage stage = open;
+                const glm::dvec3 above = open.shaded.point() + glm::dvec3(gap * normal);
+                addTriangleAround(stage.scene, above, normal, 0.3f, randomMaterial(exam.random));
+                expectVisibility(exam, stage, light, false, fmt::format("a triangle {:.2g} above the surface", gap));
+
+                stage = open;
+                addPane(
+                    stage, exam.random, light, 1.0 - static_cast<double>(gap / distance), randomMaterial(exam.random));
+                expectVisibility(exam, stage, light, false, fmt::format("a triangle {:.2g} before the light", gap));
             }
         });
 
@@ -102,9 +127,8 @@ namespace {
         [](Exam& exam) {
             for (int i = 0; i < 40; ++i) {
                 Stage stage = randomStage(exam.random);
-                const float length = std::pow(4.0f, i % 2 == 0 ? 1.0f : -1.0f) * exam.random.uniform(0.8f, 1.2f);
-                stage.shaded.ray.direction *= length;
-                stage.shaded.ray.t /= length;
+                stretch(stage, exam.random);
+                const float length = glm::length(stage.shaded.ray.direction);
                 const glm::vec3 light = lightPosition(exam.random, stage, exam.random.uniform(0.5f, 3.0f));
                 const std::string along = fmt::format("the view ray's direction {:.2g} long", length);
                 expectVisibility(exam, stage, light, true, along + ", nothing in between");
@@ -112,13 +136,6 @@ namespace {
                 expectVisibility(exam, stage, light, false, along + ", a triangle in between");
             }
         });
-
-    Material glass(Random& random, float alpha)
-    {
-        Material material = randomMaterial(random);
-        material.transparency = alpha;
-        return material;
-    }
 
     glm::dvec3 passed(const Material& material)
     {
@@ -147,10 +164,9 @@ namespace {
         return { lightPosition(random, stage, random.uniform(0.5f, 5.0f)), random.color() };
     }
 
-    // Three panes, the first of them closest to the shaded point; alpha for each.
-    void expectThroughPanes(Exam& exam, const std::vector<float>& alphas, const std::string& what)
+    // Panes, the first of them closest to the shaded point; alpha for each.
+    void expectThroughPanes(Exam& exam, Stage stage, const std::vector<float>& alphas, const std::string& what)
     {
-        Stage stage = transparentStage(exam.random);
         const LightSample light = randomLight(exam.random, stage);
         glm::dvec3 factor { 1.0 };
         for (std::size_t i = 0; i < alphas.size(); ++i) {
@@ -181,21 +197,48 @@ namespace {
         "a surface leaves light * kd * (1 - transparency), kd and transparency being its own: transparency 1 is opaque",
         [](Exam& exam) {
             for (int i = 0; i < 40; ++i)
-                expectThroughPanes(exam, { someAlpha(exam.random) }, "a pane in between");
+                expectThroughPanes(
+                    exam, transparentStage(exam.random), { someAlpha(exam.random) }, "a pane in between");
         });
-    const Check panes("light.transparency.panes", 1.0,
+    const Check panes("light.transparency.panes", 0.5,
         "behind the first surface the light may meet another one: go on until nothing is left in between",
         [](Exam& exam) {
-            for (int i = 0; i < 40; ++i)
-                expectThroughPanes(exam, { someAlpha(exam.random), someAlpha(exam.random), someAlpha(exam.random) },
-                    "three panes in between");
+            for (int i = 0; i < 40; ++i) {
+                Stage stage = transparentStage(exam.random);
+                if (i % 2 == 0)
+                    stretch(stage, exam.random);
+                const float length = glm::length(stage.shaded.ray.direction);
+                const auto alphas = i % 4 == 0 ? std::vector<float>(5, 0.1f)
+                                               : std::vector { someAlpha(exam.random), 0.2f, someAlpha(exam.random) };
+                expectThroughPanes(exam, stage, alphas,
+                    fmt::format("the view ray's direction {:.2g} long, {} panes in between", length, alphas.size()));
+            }
+        });
+
+    const Check closePanes("light.transparency.close", 0.5,
+        "behind a surface the ray goes on 1e-5 to 1e-3 further: 1e-2 jumps over what stands close to it",
+        [](Exam& exam) {
+            for (int i = 0; i < 40; ++i) {
+                Stage stage = transparentStage(exam.random);
+                const LightSample light = randomLight(exam.random, stage);
+                const glm::dvec3 toLight = glm::dvec3(light.position) - stage.shaded.point();
+                const glm::dvec3 middle = stage.shaded.point() + 0.5 * toLight;
+                const glm::dvec3 gap = static_cast<double>(smallGap(exam.random)) * glm::normalize(toLight);
+                const std::array<Material, 2> materials { glass(exam.random, 0.3f), glass(exam.random, 0.6f) };
+                for (int layer = 0; layer < 2; ++layer)
+                    addTriangleAround(stage.scene, middle + static_cast<double>(layer) * gap,
+                        glm::normalize(glm::vec3(toLight)), 0.3f, materials[static_cast<std::size_t>(layer)]);
+                expectLight(exam, stage, light, passed(materials[0]) * passed(materials[1]),
+                    fmt::format("two panes {:.2g} from each other in between", glm::length(gap)));
+            }
         });
     const Check opaque(
         "light.transparency.opaque", 0.5, "a surface with transparency 1 is opaque: it leaves nothing", [](Exam& exam) {
             for (std::size_t i = 0; i < 30; ++i) {
                 std::vector<float> alphas { 0.5f, 0.5f, 0.5f };
                 alphas[i % 3] = 1.0f;
-                expectThroughPanes(exam, alphas, fmt::format("three panes in between, pane {} opaque", i % 3 + 1));
+                expectThroughPanes(exam, transparentStage(exam.random), alphas,
+                    fmt::format("three panes in between, pane {} opaque", i % 3 + 1));
             }
         });
 
