@@ -101,21 +101,26 @@ namespace {
         });
 
     // Each ray twice: it ends just behind what it would hit, and just before.
+    std::vector<Ray> limitedRays(Random& random, const Scene& scene)
+    {
+        std::vector<Ray> rays;
+        for (Ray ray : clearRays(random, scene, 300, rayFromOutside)) {
+            const SceneHit hit = closestHit(scene, ray);
+            for (const double factor : { 0.998, 1.002 }) {
+                ray.t = static_cast<float>(hit.t * factor);
+                if (hit.isHit && closestHit(scene, ray).isClear)
+                    rays.push_back(ray);
+            }
+        }
+        return rays;
+    }
+
     const Check limited("bvh.closest.limited", 1.5,
         "ray.t is how far the ray reaches when it comes in: what lies beyond is no hit, for boxes and triangles alike",
         [](Exam& exam) {
             Scene scene;
             addTriangles(scene, exam.random, 200);
-            std::vector<Ray> rays;
-            for (Ray ray : clearRays(exam.random, scene, 300, rayFromOutside)) {
-                const SceneHit hit = closestHit(scene, ray);
-                for (const double factor : { 0.998, 1.002 }) {
-                    ray.t = static_cast<float>(hit.t * factor);
-                    if (hit.isHit && closestHit(scene, ray).isClear)
-                        rays.push_back(ray);
-                }
-            }
-            compare(exam, scene, withTree, rays, expectClosest);
+            compare(exam, scene, withTree, limitedRays(exam.random, scene), expectClosest);
         });
 
     void expectUntouchedByMiss(const TracedRay& traced)
@@ -186,7 +191,8 @@ namespace {
         });
 
     const Check onlySpheres("bvh.spheres.alone", 0.5,
-        "a scene without triangles has a tree with an empty leaf for a root; its spheres are met, from inside as well",
+        "a scene without triangles has a tree with an empty leaf for a root; its spheres are met within ray.t, from "
+        "inside as well",
         [](Exam& exam) {
             Scene scene;
             compare(exam, scene, withTree, { rayFromOutside(exam.random) }, expectClosest);
@@ -194,6 +200,7 @@ namespace {
             compare(
                 exam, scene, withTree, clearRays(exam.random, scene, 200, rayFromOutside), expectClosestOfBothKinds);
             compare(exam, scene, withTree, clearRays(exam.random, scene, 200, rayFromInside), expectClosestOfBothKinds);
+            compare(exam, scene, withTree, limitedRays(exam.random, scene), expectClosestOfBothKinds);
         });
 
 }

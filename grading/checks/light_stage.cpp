@@ -83,6 +83,18 @@ void addTriangleAround(
     addTriangle(scene.meshes.emplace_back(Mesh { {}, {}, material }), corners);
 }
 
+Material glass(Random& random, float alpha)
+{
+    Material material = randomMaterial(random);
+    material.transparency = alpha;
+    return material;
+}
+
+float smallGap(Random& random)
+{
+    return random.uniform(0.004f, 0.008f);
+}
+
 std::string describe(const Stage& stage, const glm::vec3& light)
 {
     const double distance = glm::distance(glm::dvec3(light), stage.shaded.point());

@@ -25,6 +25,13 @@ void addPane(Stage& stage, Random& random, const glm::vec3& light, double fracti
 void addTriangleAround(
     Scene& scene, const glm::dvec3& center, const glm::vec3& normal, float radius, const Material& material);
 
+// Some material with this alpha.
+[[nodiscard]] Material glass(Random& random, float alpha);
+
+// How far apart surfaces, points and lights stand that are close to each other. Shadow rays may start and end up to
+// 1e-3 beside them.
+[[nodiscard]] float smallGap(Random& random);
+
 // For messages: where the shaded point is and how far the light.
 [[nodiscard]] std::string describe(const Stage& stage, const glm::vec3& light);
 
