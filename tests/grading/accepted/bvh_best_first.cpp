@@ -62,8 +62,7 @@ bool BVH::intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const
         hitInfo.texCoord = interpolateTexCoord(closest->v0.texCoord, closest->v1.texCoord, closest->v2.texCoord, bc);
         hitInfo.material = state.scene.meshes[closest->meshID].material;
         if (state.features.enableNormalInterp) {
-            const glm::vec3 smooth
-                = interpolateNormal(closest->v0.normal, closest->v1.normal, closest->v2.normal, bc);
+            const glm::vec3 smooth = interpolateNormal(closest->v0.normal, closest->v1.normal, closest->v2.normal, bc);
             hitInfo.normal = glm::faceforward(smooth, ray.direction, smooth);
         }
     }

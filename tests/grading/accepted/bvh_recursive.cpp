@@ -8,8 +8,7 @@ static void updateHitInfo(RenderState& state, const BVHInterface::Primitive& p, 
 {
     const glm::vec3 point = ray.origin + ray.t * ray.direction;
     hitInfo.barycentricCoord = computeBarycentricCoord(p.v0.position, p.v1.position, p.v2.position, point);
-    hitInfo.texCoord
-        = interpolateTexCoord(p.v0.texCoord, p.v1.texCoord, p.v2.texCoord, hitInfo.barycentricCoord);
+    hitInfo.texCoord = interpolateTexCoord(p.v0.texCoord, p.v1.texCoord, p.v2.texCoord, hitInfo.barycentricCoord);
     hitInfo.material = state.scene.meshes[p.meshID].material;
     if (state.features.enableNormalInterp)
         hitInfo.normal = interpolateNormal(p.v0.normal, p.v1.normal, p.v2.normal, hitInfo.barycentricCoord);

@@ -1,6 +1,6 @@
-#include "light.h"
 #include "bvh_interface.h"
 #include "draw.h"
+#include "light.h"
 #include "shading.h"
 
 const float shadowEpsilon = 1e-4f;

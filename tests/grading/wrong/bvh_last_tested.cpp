@@ -8,8 +8,7 @@ static void updateHitInfo(RenderState& state, const BVHInterface::Primitive& p, 
 {
     const glm::vec3 point = ray.origin + ray.t * ray.direction;
     hitInfo.barycentricCoord = computeBarycentricCoord(p.v0.position, p.v1.position, p.v2.position, point);
-    hitInfo.texCoord
-        = interpolateTexCoord(p.v0.texCoord, p.v1.texCoord, p.v2.texCoord, hitInfo.barycentricCoord);
+    hitInfo.texCoord = interpolateTexCoord(p.v0.texCoord, p.v1.texCoord, p.v2.texCoord, hitInfo.barycentricCoord);
     hitInfo.material = state.scene.meshes[p.meshID].material;
     if (state.features.enableNormalInterp)
         hitInfo.normal = interpolateNormal(p.v0.normal, p.v1.normal, p.v2.normal, hitInfo.barycentricCoord);
@@ -42,8 +41,7 @@ bool BVH::intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const
         }
         for (uint32_t i = 0; i < node.primitiveCount(); i++) {
             tested = m_primitives[node.primitiveOffset() + i];
-            if (intersectRayWithTriangle(
-                    tested.v0.position, tested.v1.position, tested.v2.position, ray, hitInfo))
+            if (intersectRayWithTriangle(tested.v0.position, tested.v1.position, tested.v2.position, ray, hitInfo))
                 isHit = true;
         }
     }
