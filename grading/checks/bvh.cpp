@@ -5,9 +5,37 @@
 namespace grading {
 namespace {
 
-    const Check triangles("bvh.closest.outside", 2.5,
+    const Check triangles("bvh.closest.outside", 2.0,
         "both children may hold the closest hit: keep going until no box is left, and put ray.t back after a box test",
         [](Exam& exam) { compareAmongTriangles(exam, rayFromOutside); });
+    // Towards some triangle of the only mesh.
+    Ray rayAtTriangle(Random& random, const Scene& scene)
+    {
+        const Mesh& mesh = scene.meshes[0];
+        const int last = static_cast<int>(mesh.triangles.size()) - 1;
+        const glm::uvec3 triangle = mesh.triangles[static_cast<std::size_t>(random.integer(0, last))];
+        glm::vec3 middle { 0.0f };
+        for (int corner = 0; corner < 3; ++corner)
+            middle += mesh.vertices[triangle[corner]].position / 3.0f;
+        const glm::vec3 origin = 4.0f * random.direction();
+        return { origin, glm::normalize(middle - origin) };
+    }
+
+    const Check few("bvh.closest.few", 0.5,
+        "a scene of up to LeafSize triangles has a tree whose root is a leaf: look at a node before going to its "
+        "children",
+        [](Exam& exam) {
+            for (int count = 1; count <= 6; ++count) {
+                Scene scene;
+                addTriangles(scene, exam.random, count);
+                std::vector<Ray> rays;
+                for (int i = 0; i < 30; ++i)
+                    if (const Ray ray = rayAtTriangle(exam.random, scene); closestHit(scene, ray).isClear)
+                        rays.push_back(ray);
+                compare(exam, scene, withTree, rays, expectClosest);
+            }
+        });
+
     const Check inside("bvh.closest.inside", 2.0,
         "a ray may start inside a box: then it enters before 0, and only a box that it leaves before 0 is missed",
         [](Exam& exam) { compareAmongTriangles(exam, rayFromInside); });
@@ -73,21 +101,26 @@ namespace {
         });
 
     // Each ray twice: it ends just behind what it would hit, and just before.
+    std::vector<Ray> limitedRays(Random& random, const Scene& scene)
+    {
+        std::vector<Ray> rays;
+        for (Ray ray : clearRays(random, scene, 300, rayFromOutside)) {
+            const SceneHit hit = closestHit(scene, ray);
+            for (const double factor : { 0.998, 1.002 }) {
+                ray.t = static_cast<float>(hit.t * factor);
+                if (hit.isHit && closestHit(scene, ray).isClear)
+                    rays.push_back(ray);
+            }
+        }
+        return rays;
+    }
+
     const Check limited("bvh.closest.limited", 1.5,
         "ray.t is how far the ray reaches when it comes in: what lies beyond is no hit, for boxes and triangles alike",
         [](Exam& exam) {
             Scene scene;
             addTriangles(scene, exam.random, 200);
-            std::vector<Ray> rays;
-            for (Ray ray : clearRays(exam.random, scene, 300, rayFromOutside)) {
-                const SceneHit hit = closestHit(scene, ray);
-                for (const double factor : { 0.998, 1.002 }) {
-                    ray.t = static_cast<float>(hit.t * factor);
-                    if (hit.isHit && closestHit(scene, ray).isClear)
-                        rays.push_back(ray);
-                }
-            }
-            compare(exam, scene, withTree, rays, expectClosest);
+            compare(exam, scene, withTree, limitedRays(exam.random, scene), expectClosest);
         });
 
     void expectUntouchedByMiss(const TracedRay& traced)
@@ -158,7 +191,8 @@ namespace {
         });
 
     const Check onlySpheres("bvh.spheres.alone", 0.5,
-        "a scene without triangles has a tree with an empty leaf for a root; its spheres are met, from inside as well",
+        "a scene without triangles has a tree with an empty leaf for a root; its spheres are met within ray.t, from "
+        "inside as well",
         [](Exam& exam) {
             Scene scene;
             compare(exam, scene, withTree, { rayFromOutside(exam.random) }, expectClosest);
@@ -166,6 +200,7 @@ namespace {
             compare(
                 exam, scene, withTree, clearRays(exam.random, scene, 200, rayFromOutside), expectClosestOfBothKinds);
             compare(exam, scene, withTree, clearRays(exam.random, scene, 200, rayFromInside), expectClosestOfBothKinds);
+            compare(exam, scene, withTree, limitedRays(exam.random, scene), expectClosestOfBothKinds);
         });
 
 }

@@ -61,8 +61,11 @@ namespace {
         [](Exam& exam) { compareHitInfo(exam, withTree, expectMaterial); });
     const Check barycentric("bvh.hit.barycentric", 1.0,
         "computeBarycentricCoord gets the corners of the closest triangle in their order, and the point at the final "
-        "ray.t",
-        [](Exam& exam) { compareHitInfo(exam, withTree, expectBarycentric); });
+        "ray.t, ray.origin + ray.t * ray.direction, whatever the direction's length",
+        [](Exam& exam) {
+            compareHitInfo(exam, withTree, expectBarycentric);
+            compareHitInfo(exam, withTree, expectBarycentric, rayOfAnyLength);
+        });
 
     const Check texCoord(
         "bvh.hit.texcoord", 1.0, "texture coordinates are interpolated whether or not normals are", [](Exam& exam) {

@@ -114,11 +114,11 @@ void compareAmongTriangles(Exam& exam, MakeRay make)
     compare(exam, scene, withTree, clearRays(exam.random, scene, 400, make), expectClosest);
 }
 
-void compareHitInfo(Exam& exam, const Features& features, Judge judge)
+void compareHitInfo(Exam& exam, const Features& features, Judge judge, MakeRay make)
 {
     Scene scene;
     addTriangles(scene, exam.random, 200);
-    const std::vector<Ray> rays = clearRays(exam.random, scene, 400, rayFromOutside);
+    const std::vector<Ray> rays = clearRays(exam.random, scene, 400, make);
     const std::vector<Traversal> came = traverse(exam, scene, features, rays);
     std::size_t numHits = 0, numJudged = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {

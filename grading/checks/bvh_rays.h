@@ -50,6 +50,6 @@ void compare(Exam& exam, const Scene& scene, const Features& features, const std
 void compareAmongTriangles(Exam& exam, MakeRay make);
 
 // Judges what is said of hits, where the hit itself is right: what is not has cost points already.
-void compareHitInfo(Exam& exam, const Features& features, Judge judge);
+void compareHitInfo(Exam& exam, const Features& features, Judge judge, MakeRay make = rayFromOutside);
 
 }

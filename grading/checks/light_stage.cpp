@@ -34,6 +34,13 @@ Stage randomStage(Random& random)
     return stage;
 }
 
+void stretch(Stage& stage, Random& random)
+{
+    const float length = (random.integer(0, 1) == 0 ? 4.0f : 0.25f) * random.uniform(0.8f, 1.2f);
+    stage.shaded.ray.direction *= length;
+    stage.shaded.ray.t /= length;
+}
+
 void addSurface(Stage& stage, Random& random, bool isSphere)
 {
     const auto& [normal, barycentric, texCoord, material] = stage.shaded.hitInfo;
@@ -74,6 +81,18 @@ void addTriangleAround(
         corners[i] = { glm::vec3(center + offset), normal, {} };
     }
     addTriangle(scene.meshes.emplace_back(Mesh { {}, {}, material }), corners);
+}
+
+Material glass(Random& random, float alpha)
+{
+    Material material = randomMaterial(random);
+    material.transparency = alpha;
+    return material;
+}
+
+float smallGap(Random& random)
+{
+    return random.uniform(0.004f, 0.008f);
 }
 
 std::string describe(const Stage& stage, const glm::vec3& light)
