@@ -153,7 +153,8 @@ function makeBody(check) {
   return body;
 }
 
-function makeCheck(check) {
+// above: the check before it. What was said of that one already, such as a compiler's message, stays closed.
+function makeCheck(check, above) {
   const dot = check.name.indexOf(".") + 1; // the feature's name is above already: pale
   const line = [
     make("span", "sign", signs[check.status]),
@@ -164,7 +165,7 @@ function makeCheck(check) {
   const opens = body.childElementCount > 0;
   const row = make(opens ? "details" : "div", `check ${slug(check.status)}`,
     make(opens ? "summary" : "div", "line", ...line), ...(opens ? [body] : []));
-  row.open = lostPoints(check);
+  row.open = lostPoints(check) && check.message !== above?.message;
   row.dataset.lost = lostPoints(check);
   return row;
 }
@@ -177,7 +178,8 @@ function makeBar(of) {
 
 function makeFeature(feature) {
   const heading = make("h2", "", feature.name, " ", make("span", "points", points(feature)));
-  const section = make("section", "", heading, ...feature.checks.map(makeCheck));
+  const section = make("section", "", heading,
+    ...feature.checks.map((check, i, all) => makeCheck(check, all[i - 1])));
   section.id = feature.name;
   section.dataset.lost = feature.checks.some(lostPoints);
   return section;
