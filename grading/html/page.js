@@ -92,7 +92,8 @@ function makeViewer(encoded) {
     viewer.querySelectorAll("tbody tr").forEach((row, line) => {
       for (const c of [0, 1, 2]) {
         const [expected, came] = [pictures.expected[first + c], pictures.came[first + c]];
-        row.cells[c + 1].textContent = +[expected, came, came - expected][line].toPrecision(6);
+        row.cells[c + 1].textContent = [+expected.toPrecision(6), +came.toPrecision(6),
+          +(came - expected).toPrecision(4)][line];
       }
     });
     viewer.style.setProperty("--x", pixel[0] / width);
