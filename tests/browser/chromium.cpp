@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -38,6 +39,7 @@ namespace {
 
 Chromium::Chromium(const std::string& profile)
 {
+    prctl(PR_SET_CHILD_SUBREAPER, 1); // so that its children can be waited for
     std::signal(SIGPIPE, SIG_IGN); // a Chromium that is gone shows in send
     const std::array<int, 2> to = makePipe();
     const std::array<int, 2> from = makePipe();
@@ -70,7 +72,7 @@ Chromium::~Chromium()
     close(m_to);
     close(m_from);
     kill(-m_pid, SIGKILL);
-    waitpid(m_pid, nullptr, 0);
+    while (waitpid(-m_pid, nullptr, 0) > 0) { } // none is left that could write to the profile
 }
 
 void Chromium::send(const nlohmann::json& message)

@@ -105,6 +105,8 @@ TEST_CASE("Of a hidden check no file tells more than the name, but its points co
     grading::Outputs outputs { folder / "json", folder / "junit", folder / "gradescope", folder / "html",
         { "texture.*.border", "light.segment.*" } };
     const std::vector<Row> rows = grading::hide(someRows(), outputs.hidden);
+    CHECK((rows[1].message + rows[1].usualCause + rows[2].message).empty()); // what is not there, no writer can tell
+    CHECK_FALSE(rows[1].pictures);
     grading::writeOutputs(outputs, rows, "somebody", 1.0);
     for (const char* const file : { "json", "junit", "gradescope", "html" }) {
         INFO(file);
