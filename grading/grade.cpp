@@ -20,12 +20,7 @@ namespace {
         std::string message;
     };
 
-    std::string withCause(const std::string& what, const Check& check)
-    {
-        return fmt::format("{} (usually: {})", what, check.usualCause);
-    }
-
-    Verdict judgeFailure(const worker::Failure& failure, const Check& check)
+    Verdict judgeFailure(const worker::Failure& failure)
     {
         switch (failure.kind) {
         case worker::Failure::Kind::Crashed:
@@ -35,7 +30,7 @@ namespace {
         case worker::Failure::Kind::Malformed:
             break;
         }
-        return { Status::Wrong, withCause(failure.what(), check) };
+        return { Status::Wrong, failure.what() };
     }
 
     // A function with a changed signature is another function, and a stub stands in for it: says where it is.
@@ -56,13 +51,13 @@ namespace {
             check.run(exam);
             return {};
         } catch (const Wrong& wrong) {
-            return { Status::Wrong, withCause(wrong.what(), check) };
+            return { Status::Wrong, wrong.what() };
         } catch (const NotAttempted& stub) {
             return { Status::NotAttempted, withUndeclared(stub, part) };
         } catch (const worker::Failure& failure) {
-            return judgeFailure(failure, check);
+            return judgeFailure(failure);
         } catch (const worker::MalformedMessage& malformed) {
-            return { Status::Wrong, withCause(malformed.what(), check) };
+            return { Status::Wrong, malformed.what() };
         } catch (const worker::ProbeError& error) { // an exception that the submission threw
             return { Status::Crashed, fmt::format("threw an exception: {}", error.what()) };
         }
@@ -138,7 +133,8 @@ namespace {
         [[nodiscard]] static Row toRow(const Check& check, const Verdict& verdict)
         {
             const double score = verdict.status == Status::Passed ? check.points : 0.0;
-            return { check.name, check.feature, score, check.points, verdict.status, harmless(verdict.message) };
+            return { check.name, check.feature, score, check.points, verdict.status, harmless(verdict.message), nullptr,
+                verdict.status == Status::Wrong ? check.usualCause : "" };
         }
 
         const Grading& m_grading;

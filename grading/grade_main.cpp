@@ -2,12 +2,14 @@
 #include "files/error.h"
 #include "grading/feature.h"
 #include "grading/grade.h"
+#include "grading/outputs.h"
 #include "grading/report.h"
 #include "grading/supervisor.h"
 #include "grading/watch.h"
 #include "sandbox/bubblewrap.h"
 #include "submission/paths.h"
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <fmt/core.h>
 #include <mutex>
 #include <unistd.h>
@@ -19,14 +21,25 @@ enum ExitCode { Graded = 0, BadInput = 2, GraderFailed = 75 };
 struct Options {
     std::string submission;
     std::string onlyFeature;
-    std::string json;
     uint64_t seed = 1;
     std::string secretFile;
     std::string referenceWorker = std::string(submission::buildDirectory) + "/grading/reference-worker";
     std::string sandbox = "auto";
     bool isFresh = false;
     bool isWatching = false;
+    grading::Outputs outputs;
 };
+
+void declare(CLI::App& cli, grading::Outputs& outputs)
+{
+    cli.add_option("--json", outputs.json, "Write the grade to this file as well");
+    cli.add_option("--html", outputs.html, "Write a page for the student, with the pictures, to this file");
+    cli.add_option("--junit", outputs.junit, "Write JUnit's XML to this file");
+    cli.add_option("--gradescope", outputs.gradescope, "Write Gradescope's results.json to this file");
+    cli.add_option(
+           "--hide", outputs.hidden, "Of checks like this, such as 'texture.*', show the name alone; repeatable")
+        ->allow_extra_args(false);
+}
 
 void declare(CLI::App& cli, Options& options)
 {
@@ -35,7 +48,6 @@ void declare(CLI::App& cli, Options& options)
         names.push_back(feature.name);
     cli.add_option("submission", options.submission, "A folder with a submission's files, such as student")->required();
     cli.add_option("--only", options.onlyFeature, "Grade this feature alone")->check(CLI::IsMember(names));
-    cli.add_option("--json", options.json, "Write the grade to this file as well, after each check");
     CLI::Option* const seed = cli.add_option("--seed", options.seed, "Of the random inputs [1]");
     cli.add_option("--secret-file", options.secretFile, "The random inputs follow from its contents, 16 bytes or more")
         ->excludes(seed);
@@ -45,6 +57,7 @@ void declare(CLI::App& cli, Options& options)
     cli.add_option("--reference-worker", options.referenceWorker, "The program whose answers are taken for right");
     cli.add_flag("--fresh", options.isFresh, "Repeat also the checks that see nothing changed since the last time");
     cli.add_flag("--watch", options.isWatching, "Grade again after each change of a file, until interrupted");
+    declare(cli, options.outputs);
     cli.footer("Exit codes: 0 graded, whatever the score; 2 bad input; 75 the grader failed.");
 }
 
@@ -63,22 +76,30 @@ void showProgress(std::string_view what)
         fmt::print(stderr, "\r\033[K{}", what);
 }
 
+// Of a folder, "a/b/" or "." too.
+std::string nameOf(const std::filesystem::path& folder)
+{
+    return std::filesystem::canonical(folder).filename().string();
+}
+
 void gradeOnce(const Options& options)
 {
+    const auto start = std::chrono::steady_clock::now();
     const grading::Secret secret = options.secretFile.empty()
         ? grading::Secret(options.seed)
         : grading::Secret(std::filesystem::path(options.secretFile));
     const grading::Assignment assignment { options.submission, options.referenceWorker, options.onlyFeature, secret,
         options.isFresh };
     showProgress("compiling");
-    const std::vector<grading::Row> rows
+    std::vector<grading::Row> rows
         = grading::grade(assignment, [](const grading::Row& row) { showProgress(row.name); });
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     showProgress("");
+    rows = grading::hide(std::move(rows), options.outputs.hidden);
     grading::printTable(rows, isatty(STDOUT_FILENO) != 0);
     if (!sandbox::whyNoBubblewrap().empty())
         fmt::print("not sandboxed: {}\n", sandbox::whyNoBubblewrap());
-    if (!options.json.empty())
-        grading::writeJson(options.json, rows);
+    grading::writeOutputs(options.outputs, rows, nameOf(options.submission), elapsed.count());
 }
 
 int run(const Options& options)

@@ -11,14 +11,38 @@ struct Score {
     double maxScore = 0.0;
 };
 
-// Of all rows, or of one feature's.
+// Of all rows, or of one feature's. Hidden checks count.
 [[nodiscard]] Score totalOf(const std::vector<Row>& rows, const std::string& feature = "");
+
+// The rows of one feature, in their order.
+[[nodiscard]] std::vector<Row> rowsOf(const std::vector<Row>& rows, const std::string& feature);
+
+// What went wrong and what usually causes it, for those who read text; empty where nothing did.
+[[nodiscard]] std::string explanationOf(const Row& row);
+
+// The same words, every byte of them UTF-8: a student's exception may say anything.
+[[nodiscard]] std::string toUtf8(const std::string& text);
+
+// The writers. Of a hidden check all but Gradescope's tell the name alone. Files appear whole or not at all; what they
+// throw is said at writeWhole.
 
 // A table for the terminal: a line a check, what went wrong below it, the features' points and the total.
 void printTable(const std::vector<Row>& rows, bool withColor);
 
-// {"score", "max_score", "features": {name: {"score", "max_score"}}, "checks": [{"name", "feature", "score",
-// "max_score", "status", "message"}]}. The file appears whole or not at all. Throws files::Error.
-void writeJson(const std::filesystem::path& path, const std::vector<Row>& rows);
+// {"complete", "score", "max_score", "features": {name: {"score", "max_score"}}, "checks": [{"name", "feature",
+// "score", "max_score", "status", "message"}]}; a hidden check is {"name", "feature", "hidden": true}. complete: no
+// check is missing, the grade is final.
+void writeJson(const std::filesystem::path& path, const std::vector<Row>& rows, bool complete = true);
+
+// JUnit's XML: a suite a feature, a case a check, a failure whatever keeps it from passing. A check that was not
+// attempted is a failure too, since servers show a run of skipped cases as a good one.
+void writeJunit(const std::filesystem::path& path, const std::vector<Row>& rows);
+
+// Gradescope's results.json, as its "Autograder Specifications" describe it. Hidden checks keep their points, by which
+// the teacher sees them there, and get visibility "hidden", by which the student does not.
+void writeGradescope(const std::filesystem::path& path, const std::vector<Row>& rows, double seconds);
+
+// A page that needs nothing but itself: what the student lost, why, and the pictures to compare.
+void writeHtml(const std::filesystem::path& path, const std::vector<Row>& rows, const std::string& submission);
 
 }

@@ -1,7 +1,6 @@
-#include "files/error.h"
 #include "grading/feature.h"
 #include "grading/report.h"
-#include <fstream>
+#include "grading/write_whole.h"
 #include <nlohmann/json.hpp>
 
 namespace grading {
@@ -16,13 +15,17 @@ namespace {
 
     Json toJson(const Row& row)
     {
+        if (row.hidden)
+            return { { "name", row.name }, { "feature", row.feature }, { "hidden", true } };
         return { { "name", row.name }, { "feature", row.feature }, { "score", row.score },
-            { "max_score", row.maxScore }, { "status", std::string(toText(row.status)) }, { "message", row.message } };
+            { "max_score", row.maxScore }, { "status", std::string(toText(row.status)) },
+            { "message", explanationOf(row) } };
     }
 
-    Json toJson(const std::vector<Row>& rows)
+    Json toJson(const std::vector<Row>& rows, bool complete)
     {
-        Json json = toJson(totalOf(rows));
+        Json json = { { "complete", complete } };
+        json.update(toJson(totalOf(rows)));
         json["features"] = Json::object();
         for (const Feature& feature : gradedFeatures)
             if (const Score total = totalOf(rows, feature.name); total.maxScore > 0.0)
@@ -35,20 +38,9 @@ namespace {
 
 }
 
-void writeJson(const std::filesystem::path& path, const std::vector<Row>& rows)
+void writeJson(const std::filesystem::path& path, const std::vector<Row>& rows, bool complete)
 {
-    // A student's exception may say anything: what is no UTF-8 is replaced.
-    const std::string text = toJson(rows).dump(2, ' ', false, Json::error_handler_t::replace);
-    std::filesystem::path unfinished = path;
-    unfinished += ".unfinished";
-    std::ofstream file(unfinished);
-    file << text << '\n';
-    file.close();
-    std::error_code failed;
-    if (file)
-        std::filesystem::rename(unfinished, path, failed);
-    if (!file || failed)
-        throw files::Error(path, "cannot be written");
+    writeWhole(path, toJson(rows, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }

@@ -31,12 +31,16 @@ namespace {
         }
     }
 
-    void printRow(const Row& row, bool withColor, const std::string& previousMessage)
+    void printRow(const Row& row, bool withColor, const std::string& previous)
     {
+        if (row.hidden) {
+            fmt::print("  {:<42} {:>19}\n", row.name, "hidden");
+            return;
+        }
         fmt::print("  {:<42} {:>5.4g} / {:<5.4g} ", row.name, row.score, row.maxScore);
         fmt::print(withColor ? styleOf(row.status) : fmt::text_style(), "{}\n", toText(row.status));
-        if (!row.message.empty() && row.message != previousMessage)
-            printMessage(row.message);
+        if (const std::string explanation = explanationOf(row); !explanation.empty() && explanation != previous)
+            printMessage(explanation);
     }
 
 }
@@ -48,12 +52,10 @@ void printTable(const std::vector<Row>& rows, bool withColor)
         if (total.maxScore == 0.0)
             continue;
         fmt::print("{:<44} {:>5.4g} / {:.4g}\n", feature.name, total.score, total.maxScore);
-        std::string previousMessage; // a file that does not compile says so once
-        for (const Row& row : rows) {
-            if (row.feature != feature.name)
-                continue;
-            printRow(row, withColor, previousMessage);
-            previousMessage = row.message;
+        std::string previous; // a file that does not compile says so once
+        for (const Row& row : rowsOf(rows, feature.name)) {
+            printRow(row, withColor, previous);
+            previous = explanationOf(row);
         }
     }
     const Score total = totalOf(rows);

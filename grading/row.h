@@ -46,6 +46,8 @@ struct Row {
     Status status = Status::NotAttempted;
     std::string message; // why it did not pass
     std::shared_ptr<const PicturePair> pictures = nullptr; // if it compared any, passed or not
+    std::string usualCause; // what to look at first, where the answer is wrong
+    bool hidden = false; // from the student, who sees its name alone; its points count
 };
 
 }

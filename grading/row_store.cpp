@@ -19,7 +19,7 @@ namespace {
     {
         worker::Message message;
         message << row.name << row.feature << row.score << row.maxScore << row.status << row.message
-                << bool(row.pictures);
+                << row.usualCause << bool(row.pictures);
         if (row.pictures)
             message << row.pictures->size << row.pictures->came << row.pictures->expected << row.pictures->worst;
         return message;
@@ -29,7 +29,7 @@ namespace {
     {
         worker::Reader reader { message };
         Row row;
-        reader >> row.name >> row.feature >> row.score >> row.maxScore >> row.status >> row.message;
+        reader >> row.name >> row.feature >> row.score >> row.maxScore >> row.status >> row.message >> row.usualCause;
         if (reader.read<bool>()) {
             PicturePair pictures;
             reader >> pictures.size >> pictures.came >> pictures.expected >> pictures.worst;

@@ -1,0 +1,52 @@
+#include "grading/outputs.h"
+#include "files/error.h"
+#include "grading/check.h"
+#include "grading/report.h"
+#include <algorithm>
+#include <fnmatch.h>
+
+namespace grading {
+namespace {
+
+    bool matches(const std::string& name, const std::string& pattern)
+    {
+        return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+    }
+
+}
+
+void expectPatternsMatch(const std::vector<std::string>& patterns)
+{
+    for (const std::string& pattern : patterns)
+        if (std::ranges::none_of(Check::all(), [&](const Check& check) { return matches(check.name, pattern); }))
+            throw files::Error(
+                "--hide", "found '" + pattern + "', which matches no check, expected one like 'light.*'");
+}
+
+std::vector<Row> hide(std::vector<Row> rows, const std::vector<std::string>& patterns)
+{
+    for (Row& row : rows) {
+        row.hidden
+            = std::ranges::any_of(patterns, [&](const std::string& pattern) { return matches(row.name, pattern); });
+        if (!row.hidden)
+            continue;
+        row.message.clear();
+        row.usualCause.clear();
+        row.pictures.reset();
+    }
+    return rows;
+}
+
+void writeOutputs(const Outputs& outputs, const std::vector<Row>& rows, const std::string& submission, double seconds)
+{
+    if (!outputs.json.empty())
+        writeJson(outputs.json, rows);
+    if (!outputs.junit.empty())
+        writeJunit(outputs.junit, rows);
+    if (!outputs.gradescope.empty())
+        writeGradescope(outputs.gradescope, rows, seconds);
+    if (!outputs.html.empty())
+        writeHtml(outputs.html, rows, submission);
+}
+
+}

@@ -1,0 +1,23 @@
+#pragma once
+#include "grading/row.h"
+#include <string>
+#include <vector>
+
+namespace grading {
+
+// Where a grade goes beside the terminal; empty: nowhere.
+struct Outputs {
+    std::string json, junit, gradescope, html; // files
+    std::vector<std::string> hidden; // patterns of names, such as texture.*
+};
+
+// Throws files::Error for a pattern that matches no check: a typing mistake would show what is to be hidden.
+void expectPatternsMatch(const std::vector<std::string>& patterns);
+
+// The rows, those that match a pattern hidden, without what they would tell: message, cause and pictures.
+[[nodiscard]] std::vector<Row> hide(std::vector<Row> rows, const std::vector<std::string>& patterns);
+
+// Writes all files that are asked for. submission: its name, for the page; seconds: what grading took.
+void writeOutputs(const Outputs& outputs, const std::vector<Row>& rows, const std::string& submission, double seconds);
+
+}
