@@ -32,7 +32,7 @@ struct Options {
 
 void declare(CLI::App& cli, grading::Outputs& outputs)
 {
-    cli.add_option("--json", outputs.json, "Write the grade to this file as well");
+    cli.add_option("--json", outputs.json, "Write the grade to this file as well, after each check");
     cli.add_option("--html", outputs.html, "Write a page for the student, with the pictures, to this file");
     cli.add_option("--junit", outputs.junit, "Write JUnit's XML to this file");
     cli.add_option("--gradescope", outputs.gradescope, "Write Gradescope's results.json to this file");
@@ -79,33 +79,66 @@ void showProgress(std::string_view what)
 // Of a folder, "a/b/" or "." too.
 std::string nameOf(const std::filesystem::path& folder)
 {
-    return std::filesystem::canonical(folder).filename().string();
+    return std::filesystem::weakly_canonical(folder).filename().string();
 }
+
+// The grade as it grows. Checks end on several threads.
+class GrowingGrade {
+public:
+    explicit GrowingGrade(const Options& options)
+        : m_outputs(options.outputs)
+        , m_start(std::chrono::steady_clock::now())
+        , m_grade { {}, nameOf(options.submission), 0.0, false, sandbox::whyNoBubblewrap() }
+    {
+    }
+
+    // What there is of it is written after each check: a grading that is cut off keeps that.
+    void add(const grading::Row& row)
+    {
+        const std::lock_guard lock(m_mutex);
+        showProgress(row.name);
+        m_grade.rows.push_back(grading::hide({ row }, m_outputs.hidden)[0]);
+        if (!m_outputs.json.empty())
+            grading::writeJson(m_outputs.json, m_grade);
+    }
+
+    [[nodiscard]] grading::Grade complete(std::vector<grading::Row> rows)
+    {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
+        m_grade.rows = grading::hide(std::move(rows), m_outputs.hidden);
+        m_grade.seconds = elapsed.count();
+        m_grade.isComplete = true;
+        return m_grade;
+    }
+
+private:
+    const grading::Outputs& m_outputs;
+    std::chrono::steady_clock::time_point m_start;
+    grading::Grade m_grade;
+    std::mutex m_mutex;
+};
 
 void gradeOnce(const Options& options)
 {
-    const auto start = std::chrono::steady_clock::now();
     const grading::Secret secret = options.secretFile.empty()
         ? grading::Secret(options.seed)
         : grading::Secret(std::filesystem::path(options.secretFile));
     const grading::Assignment assignment { options.submission, options.referenceWorker, options.onlyFeature, secret,
         options.isFresh };
+    GrowingGrade growing { options };
     showProgress("compiling");
-    std::vector<grading::Row> rows
-        = grading::grade(assignment, [](const grading::Row& row) { showProgress(row.name); });
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const grading::Grade grade
+        = growing.complete(grading::grade(assignment, [&](const grading::Row& row) { growing.add(row); }));
     showProgress("");
-    rows = grading::hide(std::move(rows), options.outputs.hidden);
-    grading::printTable(rows, isatty(STDOUT_FILENO) != 0);
-    if (!sandbox::whyNoBubblewrap().empty())
-        fmt::print("not sandboxed: {}\n", sandbox::whyNoBubblewrap());
-    grading::writeOutputs(options.outputs, rows, nameOf(options.submission), elapsed.count());
+    grading::writeOutputs(options.outputs, grade);
+    grading::printTable(grade, isatty(STDOUT_FILENO) != 0);
 }
 
 int run(const Options& options)
 {
     try {
         chooseSandbox(options.sandbox);
+        grading::expectPatternsMatch(options.outputs.hidden);
         if (!options.isWatching)
             gradeOnce(options);
         else

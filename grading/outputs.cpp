@@ -37,16 +37,16 @@ std::vector<Row> hide(std::vector<Row> rows, const std::vector<std::string>& pat
     return rows;
 }
 
-void writeOutputs(const Outputs& outputs, const std::vector<Row>& rows, const std::string& submission, double seconds)
+void writeOutputs(const Outputs& outputs, const Grade& grade)
 {
     if (!outputs.json.empty())
-        writeJson(outputs.json, rows);
+        writeJson(outputs.json, grade);
     if (!outputs.junit.empty())
-        writeJunit(outputs.junit, rows);
+        writeJunit(outputs.junit, grade);
     if (!outputs.gradescope.empty())
-        writeGradescope(outputs.gradescope, rows, seconds);
+        writeGradescope(outputs.gradescope, grade);
     if (!outputs.html.empty())
-        writeHtml(outputs.html, rows, submission);
+        writeHtml(outputs.html, grade);
 }
 
 }

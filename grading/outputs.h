@@ -17,7 +17,7 @@ void expectPatternsMatch(const std::vector<std::string>& patterns);
 // The rows, those that match a pattern hidden, without what they would tell: message, cause and pictures.
 [[nodiscard]] std::vector<Row> hide(std::vector<Row> rows, const std::vector<std::string>& patterns);
 
-// Writes all files that are asked for. submission: its name, for the page; seconds: what grading took.
-void writeOutputs(const Outputs& outputs, const std::vector<Row>& rows, const std::string& submission, double seconds);
+// Writes all files that are asked for.
+void writeOutputs(const Outputs& outputs, const Grade& grade);
 
 }

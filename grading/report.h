@@ -27,22 +27,22 @@ struct Score {
 // throw is said at writeWhole.
 
 // A table for the terminal: a line a check, what went wrong below it, the features' points and the total.
-void printTable(const std::vector<Row>& rows, bool withColor);
+void printTable(const Grade& grade, bool withColor);
 
-// {"complete", "score", "max_score", "features": {name: {"score", "max_score"}}, "checks": [{"name", "feature",
-// "score", "max_score", "status", "message"}]}; a hidden check is {"name", "feature", "hidden": true}. complete: no
-// check is missing, the grade is final.
-void writeJson(const std::filesystem::path& path, const std::vector<Row>& rows, bool complete = true);
+// {"complete", "sandbox", "score", "max_score", "features": {name: {"score", "max_score"}}, "checks": [{"name",
+// "feature", "score", "max_score", "status", "message"}]}; a hidden check is {"name", "feature", "hidden": true}.
+// sandbox is "bubblewrap", or "none: " and why.
+void writeJson(const std::filesystem::path& path, const Grade& grade);
 
 // JUnit's XML: a suite a feature, a case a check, a failure whatever keeps it from passing. A check that was not
 // attempted is a failure too, since servers show a run of skipped cases as a good one.
-void writeJunit(const std::filesystem::path& path, const std::vector<Row>& rows);
+void writeJunit(const std::filesystem::path& path, const Grade& grade);
 
 // Gradescope's results.json, as its "Autograder Specifications" describe it. Hidden checks keep their points, by which
 // the teacher sees them there, and get visibility "hidden", by which the student does not.
-void writeGradescope(const std::filesystem::path& path, const std::vector<Row>& rows, double seconds);
+void writeGradescope(const std::filesystem::path& path, const Grade& grade);
 
 // A page that needs nothing but itself: what the student lost, why, and the pictures to compare.
-void writeHtml(const std::filesystem::path& path, const std::vector<Row>& rows, const std::string& submission);
+void writeHtml(const std::filesystem::path& path, const Grade& grade);
 
 }

@@ -31,8 +31,9 @@ namespace {
 
 }
 
-void writeGradescope(const std::filesystem::path& path, const std::vector<Row>& rows, double seconds)
+void writeGradescope(const std::filesystem::path& path, const Grade& grade)
 {
+    const std::vector<Row>& rows = grade.rows;
     Json tests = Json::array();
     int featureNumber = 0;
     for (const Feature& feature : gradedFeatures) {
@@ -43,7 +44,7 @@ void writeGradescope(const std::filesystem::path& path, const std::vector<Row>& 
             tests.push_back(toTest(row, fmt::format("{}.{}", featureNumber, ++checkNumber)));
     }
     const Score total = totalOf(rows);
-    const Json results = { { "score", total.score }, { "execution_time", seconds }, { "output", summaryOf(rows) },
+    const Json results = { { "score", total.score }, { "execution_time", grade.seconds }, { "output", summaryOf(rows) },
         { "output_format", "text" }, { "visibility", "visible" }, { "stdout_visibility", "hidden" },
         { "extra_data", { { "max_score", total.maxScore } } }, { "tests", tests } };
     writeWhole(path, results.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -50,10 +50,12 @@ namespace {
         return json;
     }
 
-    Json toJson(const std::vector<Row>& rows, const std::string& submission)
+    Json toJson(const Grade& grade)
     {
+        const std::vector<Row>& rows = grade.rows;
         const Score total = totalOf(rows);
-        Json json { { "submission", submission }, { "score", total.score }, { "maxScore", total.maxScore } };
+        Json json { { "submission", grade.submission }, { "notSandboxed", grade.notSandboxed },
+            { "score", total.score }, { "maxScore", total.maxScore } };
         json["features"] = Json::array();
         for (const Feature& feature : gradedFeatures) {
             const Score part = totalOf(rows, feature.name);
@@ -80,11 +82,11 @@ namespace {
 
 }
 
-void writeHtml(const std::filesystem::path& path, const std::vector<Row>& rows, const std::string& submission)
+void writeHtml(const std::filesystem::path& path, const Grade& grade)
 {
     constexpr std::string_view placeholder = "{{data}}";
     std::string page { html::page };
-    page.replace(page.find(placeholder), placeholder.size(), toScript(toJson(rows, submission)));
+    page.replace(page.find(placeholder), placeholder.size(), toScript(toJson(grade)));
     writeWhole(path, page);
 }
 

@@ -22,9 +22,11 @@ namespace {
             { "message", explanationOf(row) } };
     }
 
-    Json toJson(const std::vector<Row>& rows, bool complete)
+    Json toJson(const Grade& grade)
     {
-        Json json = { { "complete", complete } };
+        const std::vector<Row>& rows = grade.rows;
+        Json json = { { "complete", grade.isComplete },
+            { "sandbox", grade.notSandboxed.empty() ? "bubblewrap" : "none: " + grade.notSandboxed } };
         json.update(toJson(totalOf(rows)));
         json["features"] = Json::object();
         for (const Feature& feature : gradedFeatures)
@@ -38,9 +40,9 @@ namespace {
 
 }
 
-void writeJson(const std::filesystem::path& path, const std::vector<Row>& rows, bool complete)
+void writeJson(const std::filesystem::path& path, const Grade& grade)
 {
-    writeWhole(path, toJson(rows, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeWhole(path, toJson(grade).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }

@@ -54,8 +54,9 @@ namespace {
 
 }
 
-void writeJunit(const std::filesystem::path& path, const std::vector<Row>& rows)
+void writeJunit(const std::filesystem::path& path, const Grade& grade)
 {
+    const std::vector<Row>& rows = grade.rows;
     pugi::xml_document document;
     pugi::xml_node declaration = document.append_child(pugi::node_declaration);
     declaration.append_attribute("version") = "1.0";

@@ -45,8 +45,9 @@ namespace {
 
 }
 
-void printTable(const std::vector<Row>& rows, bool withColor)
+void printTable(const Grade& grade, bool withColor)
 {
+    const std::vector<Row>& rows = grade.rows;
     for (const Feature& feature : gradedFeatures) {
         const Score total = totalOf(rows, feature.name);
         if (total.maxScore == 0.0)
@@ -60,6 +61,8 @@ void printTable(const std::vector<Row>& rows, bool withColor)
     }
     const Score total = totalOf(rows);
     fmt::print("{:<44} {:>5.4g} / {:.4g}\n", "total", total.score, total.maxScore);
+    if (!grade.notSandboxed.empty())
+        fmt::print("not sandboxed: {}\n", grade.notSandboxed);
 }
 
 }

@@ -50,4 +50,13 @@ struct Row {
     bool hidden = false; // from the student, who sees its name alone; its points count
 };
 
+// What became of a submission.
+struct Grade {
+    std::vector<Row> rows;
+    std::string submission; // its name
+    double seconds = 0.0; // what grading took
+    bool isComplete = true; // no check is missing: the grade is final
+    std::string notSandboxed; // why its code was not locked in; empty if it was
+};
+
 }

@@ -18,8 +18,8 @@ namespace {
     worker::Message toMessage(const Row& row)
     {
         worker::Message message;
-        message << row.name << row.feature << row.score << row.maxScore << row.status << row.message
-                << row.usualCause << bool(row.pictures);
+        message << row.name << row.feature << row.score << row.maxScore << row.status << row.message << row.usualCause
+                << bool(row.pictures);
         if (row.pictures)
             message << row.pictures->size << row.pictures->came << row.pictures->expected << row.pictures->worst;
         return message;

@@ -199,6 +199,8 @@ function fillPage() {
   document.querySelector("h1").textContent = grade.submission;
   document.querySelector(".total b").textContent = +grade.score.toFixed(2);
   document.querySelector(".total span").textContent = `of ${+grade.maxScore.toFixed(2)} points`;
+  if (grade.notSandboxed)
+    document.querySelector(".total").append(` (graded without a sandbox: ${grade.notSandboxed})`);
   document.querySelector("nav").append(...grade.features.map(makeLink));
   document.querySelector("main").append(...grade.features.map(makeFeature));
   const [all, some] = document.querySelectorAll(".filter b");

@@ -47,7 +47,7 @@ json readJson(const fs::path& path)
 TEST_CASE("JUnit has a suite a feature, a case a check, and a failure for each that did not pass", "[grading]")
 {
     const TemporaryFolder folder;
-    grading::writeJunit(folder / "junit.xml", someRows());
+    grading::writeJunit(folder / "junit.xml", { someRows() });
     pugi::xml_document document;
     REQUIRE(document.load_file((folder / "junit.xml").c_str()));
     const pugi::xml_node suites = document.child("testsuites");
@@ -67,7 +67,7 @@ TEST_CASE("JUnit has a suite a feature, a case a check, and a failure for each t
 TEST_CASE("Gradescope gets the score, and of each test what its specification names", "[grading]")
 {
     const TemporaryFolder folder;
-    grading::writeGradescope(folder / "results.json", grading::hide(someRows(), { "light.segment.*" }), 12.5);
+    grading::writeGradescope(folder / "results.json", { grading::hide(someRows(), { "light.segment.*" }), "", 12.5 });
     const json results = readJson(folder / "results.json");
     CHECK(results.at("score") == 2.0);
     CHECK(results.at("execution_time") == 12.5);
@@ -95,7 +95,7 @@ TEST_CASE("The JSON says whether the grade is complete", "[grading]")
 {
     const TemporaryFolder folder;
     const bool complete = GENERATE(false, true);
-    grading::writeJson(folder / "grade.json", someRows(), complete);
+    grading::writeJson(folder / "grade.json", { someRows(), "", 0.0, complete });
     CHECK(readJson(folder / "grade.json").at("complete") == complete);
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("Of a hidden check no file tells more than the name, but its points co
     const std::vector<Row> rows = grading::hide(someRows(), outputs.hidden);
     CHECK((rows[1].message + rows[1].usualCause + rows[2].message).empty()); // what is not there, no writer can tell
     CHECK_FALSE(rows[1].pictures);
-    grading::writeOutputs(outputs, rows, "somebody", 1.0);
+    grading::writeOutputs(outputs, { rows, "somebody", 1.0 });
     for (const char* const file : { "json", "junit", "gradescope", "html" }) {
         INFO(file);
         const std::string text = files::readText(folder / file);
@@ -134,7 +134,7 @@ TEST_CASE("A pattern that hides nothing is an error, since it may be a typing mi
 TEST_CASE("What a student's code says cannot end the page's script", "[grading]")
 {
     const TemporaryFolder folder;
-    grading::writeHtml(folder / "page.html", someRows(), "</script>");
+    grading::writeHtml(folder / "page.html", { someRows(), "</script>" });
     const std::string text = files::readText(folder / "page.html");
     const std::string start = "id=\"data\">";
     const std::size_t from = text.find(start) + start.size();
@@ -150,7 +150,7 @@ TEST_CASE("A picture with another number of pixels than its size says is left ou
     const auto size = GENERATE(glm::ivec2(2, 1), glm::ivec2(0, 1), glm::ivec2(-1, -1), glm::ivec2(65536, 65536));
     rows[1].pictures = std::make_shared<grading::PicturePair>(
         grading::PicturePair { size, { glm::vec3(0.25f) }, { glm::vec3(0.5f) } });
-    grading::writeHtml(folder / "page.html", rows, "somebody");
+    grading::writeHtml(folder / "page.html", { rows, "somebody" });
     CHECK_THAT(files::readText(folder / "page.html"), !Catch::Contains("\"pictures\":"));
 }
 
