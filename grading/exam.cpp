@@ -24,10 +24,10 @@ NotAttempted::NotAttempted(const std::vector<std::string>& functions_)
 {
 }
 
-Exam::Exam(std::filesystem::path submission, std::filesystem::path reference, Random random_, SlowProbes& slowProbes)
+Exam::Exam(std::filesystem::path submission, ExpectedAnswers& expected, Random random_, SlowProbes& slowProbes)
     : random(std::move(random_))
     , m_submission { std::move(submission), nullptr }
-    , m_reference { std::move(reference), nullptr }
+    , m_expected(expected)
     , m_slowProbes(slowProbes)
 {
 }
@@ -40,15 +40,6 @@ worker::Message Exam::run(Side& side, const std::string& probe, const worker::Me
     if (!answer.unwritten.empty())
         throw NotAttempted(answer.unwritten);
     return std::move(answer.output);
-}
-
-worker::Message Exam::runReference(const std::string& probe, const worker::Message& message)
-{
-    try {
-        return run(m_reference, probe, message);
-    } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("the reference's worker, asked for {}: {}", probe, error.what()));
-    }
 }
 
 worker::Message Exam::runSubmission(const std::string& probe, const worker::Message& message)

@@ -101,7 +101,7 @@ namespace {
         {
             if (m_part.state == submission::State::Refused)
                 return { Status::Refused, m_part.message };
-            Exam exam { m_submission.featureWorker(m_feature.file), m_assignment.referenceWorker,
+            Exam exam { m_submission.featureWorker(m_feature.file), *m_assignment.expected,
                 Random(m_assignment.seed, check.name), m_slowProbes };
             Verdict verdict = judge(check, exam, m_part);
             verdict.pictures = exam.pictures;

@@ -1,15 +1,17 @@
 #pragma once
+#include "grading/expected.h"
 #include "grading/row.h"
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace grading {
 
 struct Assignment {
     std::filesystem::path submission; // folder
-    std::filesystem::path referenceWorker; // program
+    std::shared_ptr<ExpectedAnswers> expected;
     std::string onlyFeature; // empty: all
     uint64_t seed = 0; // of all random inputs
 };

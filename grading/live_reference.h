@@ -1,0 +1,24 @@
+#pragma once
+#include "grading/expected.h"
+#include <filesystem>
+
+namespace grading {
+
+// Answers by a worker that is started for the question, and remembers them in a folder for the next grade. Any number
+// of graders may share the folder; a file in it that is not whole counts as none.
+class LiveReference : public ExpectedAnswers {
+public:
+    // The folder is made. If it holds more than 100 MB, the oldest answers go.
+    LiveReference(std::filesystem::path worker, std::filesystem::path folder);
+
+    [[nodiscard]] worker::Message answer(const std::string& probe, const worker::Message& input) override;
+
+private:
+    [[nodiscard]] worker::Message ask(const std::string& probe, const worker::Message& input) const;
+
+    std::filesystem::path m_worker;
+    std::filesystem::path m_folder;
+    Hash m_version; // of the worker
+};
+
+}
