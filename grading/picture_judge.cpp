@@ -13,23 +13,24 @@ namespace {
     using Colors = std::vector<glm::vec3>;
 
     // What a right solution may differ by: a share of what is expected, and a little everywhere. A ray that starts up
-    // to 1e-3 of the scene beside another moves an edge by up to a tenth of a pixel, which is 0.3 % of a tile of 4 x 4
-    // pixels for each pixel of the edge's length, and 0.15 % of one of 8 x 8 for each two. All are far above rounding.
+    // to 1e-3 of the scene beside another moves an edge by up to a tenth of a pixel: across a tile of 4 x 4 pixels that
+    // is 2.5 % of its area, across one of 8 x 8 1.2 %. All are far above rounding.
     struct Level {
         int width; // of its tiles, in pixels
-        double relative;
-        double absolute;
+        double allowed; // relative
+        double allowedAnywhere; // on top of it
+        double found; // relative: this large a difference must not be missed
     };
+    constexpr int wholePicture = 1 << 20;
     constexpr std::array<Level, 3> levels { {
-        { 1 << 20, 0.004, 0.0003 }, // the whole picture: 1 % is wrong
-        { 8, 0.03, 0.004 }, // 5 % is wrong
-        { 4, 0.10, 0.02 }, // a black pixel in every four is wrong
+        { wholePicture, 0.004, 0.0003, 0.01 }, { 8, 0.03, 0.004, 0.05 },
+        { 4, 0.10, 0.02, 0.25 }, // four of the nine pixels of a black patch of 3 x 3 lie in one tile
     } };
 
     // Rare bright pixels: what few replicates see cannot be compared.
     constexpr double leastEffectiveSize = 10.0;
 
-    // Same means that the true difference is not above what is allowed, by so many standard deviations.
+    // By so many standard deviations, the true difference is smaller than what must be found.
     constexpr double certainty = 3.0;
 
     bool isFinite(const glm::vec3& color)
@@ -83,12 +84,12 @@ namespace {
         Tile tile;
         Sample came, expected;
         Difference difference;
-        double allowed = 0.0;
+        double allowed = 0.0, found = 0.0;
 
         [[nodiscard]] double size() const { return std::abs(difference.value) / allowed; }
         [[nodiscard]] bool isSame() const
         {
-            return std::abs(difference.value) + certainty * difference.deviation <= allowed;
+            return std::abs(difference.value) + certainty * difference.deviation <= found;
         }
     };
 
@@ -108,7 +109,8 @@ namespace {
         if (c.expected.effectiveSize < leastEffectiveSize)
             return std::nullopt;
         c.difference = differenceOf(c.came, c.expected);
-        c.allowed = level.relative * std::abs(c.expected.mean) + level.absolute;
+        c.allowed = level.allowed * std::abs(c.expected.mean) + level.allowedAnywhere;
+        c.found = std::max(c.allowed, level.found * std::abs(c.expected.mean));
         return c;
     }
 
@@ -140,12 +142,10 @@ namespace {
                 m_worst = c.size();
                 m_judgement.worst = c.tile.centre();
             }
-            if (c.isSame())
-                return;
-            if (chanceOf(c.difference, c.allowed) >= share) {
-                if (m_judgement.outcome == Outcome::Same)
-                    m_judgement.outcome = Outcome::Undecided;
-            } else if (c.size() > m_worstDifferent) {
+            const bool isDifferent = chanceOf(c.difference, c.allowed) < share;
+            if (!isDifferent && !c.isSame() && m_judgement.outcome == Outcome::Same)
+                m_judgement.outcome = Outcome::Undecided;
+            if (isDifferent && c.size() > m_worstDifferent) {
                 m_worstDifferent = c.size();
                 m_judgement.outcome = Outcome::Different;
                 m_judgement.came = describe(c, m_expected.size);

@@ -16,7 +16,7 @@ struct Judgement {
 // Judges pictures by their means over tiles, of the whole picture, of 8 x 8 and of 4 x 4 pixels. Each level allows a
 // difference that a right solution may have, because its rays start a little elsewhere; the pictures are Different
 // where chance would exceed it with less than the given probability, all tiles, channels and levels together, and Same
-// where no difference can be much more than allowed. More samples decide what is Undecided.
+// where no difference can be so large that it must be found. More samples decide what is Undecided.
 //
 // Pictures of another size, colours that are no numbers, and one picture for all seeds are Different.
 [[nodiscard]] Judgement judgePictures(const Replicates& came, const Replicates& expected, double significance);
