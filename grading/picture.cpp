@@ -59,27 +59,34 @@ namespace {
         all.tiles.insert(all.tiles.end(), part.tiles.begin(), part.tiles.end());
     }
 
-    // ask(probe, Asked) -> Replicates. A later stage asks for fewer pictures at once, so that a worker takes about as
-    // long over every question.
+    // ask(probe, Asked) -> Replicates of `perQuestion` seeds.
     template <typename Ask>
-    Replicates render(const PictureQuestion& picture, int raysPerPixel, std::span<const uint32_t> seeds, const Ask& ask)
+    Replicates render(const PictureQuestion& picture, int raysPerPixel, std::span<const uint32_t> seeds,
+        std::size_t perQuestion, const Ask& ask)
     {
-        const auto numQuestions = static_cast<std::size_t>(raysPerPixel / stages.front());
-        const std::size_t perQuestion = seeds.size() / numQuestions;
         Asked asked { picture.request, picture.more };
         asked.request.settings.push_back({ "pixel_samples", std::to_string(raysPerPixel) });
         Replicates all;
-        for (std::size_t i = 0; i < numQuestions; ++i) {
-            const auto some = seeds.subspan(i * perQuestion, perQuestion);
+        for (std::size_t first = 0; first < seeds.size(); first += perQuestion) {
+            const auto some = seeds.subspan(first, perQuestion);
             asked.request.seeds.assign(some.begin(), some.end());
-            append(all, ask(picture.probe, asked), numQuestions);
+            append(all, ask(picture.probe, asked), seeds.size() / perQuestion);
         }
         return all;
     }
 
+    // A later stage asks for fewer pictures at once, so that a worker takes about as long over every question.
+    Replicates renderSubmission(Exam& exam, const PictureQuestion& picture, int raysPerPixel)
+    {
+        const auto perQuestion
+            = numReplicates * static_cast<std::size_t>(stages.front()) / static_cast<std::size_t>(raysPerPixel);
+        return render(picture, raysPerPixel, randomSeeds(exam.random), perQuestion,
+            [&](const std::string& probe, const Asked& asked) { return exam.ask<Replicates>(probe, asked); });
+    }
+
     Replicates renderReference(Exam& exam, const PictureQuestion& picture, int raysPerPixel)
     {
-        return render(picture, raysPerPixel, referenceSeeds(),
+        return render(picture, raysPerPixel, referenceSeeds(), numReplicates,
             [&](const std::string& probe, const Asked& asked) { return exam.askReference<Replicates>(probe, asked); });
     }
 
@@ -151,8 +158,7 @@ void comparePicture(Exam& exam, const PictureQuestion& picture, const std::vecto
         askReferenceForAll(exam, valid);
     std::vector<PictureQuestion> left = valid;
     for (const int raysPerPixel : stages) {
-        const Replicates came = render(picture, raysPerPixel, randomSeeds(exam.random),
-            [&](const std::string& probe, const Asked& asked) { return exam.ask<Replicates>(probe, asked); });
+        const Replicates came = renderSubmission(exam, picture, raysPerPixel);
         const std::vector<Rival> rivals = compare(exam, came, left, raysPerPixel);
         const auto same = std::ranges::find(rivals, Outcome::Same, outcomeOf);
         exam.pictures = pairOf(came, same == rivals.end() ? rivals.front() : *same);

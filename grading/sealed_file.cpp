@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -37,6 +38,7 @@ void writeSealed(const std::filesystem::path& file, const worker::Message& messa
     if (descriptor < 0)
         throwErrno(file);
     const Hash seal = hashOf(message.bytes());
+    fchmod(descriptor, 0644); // for others to grade by
     const bool isWritten = writeAll(descriptor, seal) && writeAll(descriptor, message.bytes());
     close(descriptor);
     if (isWritten && std::rename(draft.c_str(), file.c_str()) == 0)
