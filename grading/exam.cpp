@@ -1,5 +1,5 @@
 #include "grading/exam.h"
-#include "submission/paths.h"
+#include "grading/worker_limits.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,11 +8,9 @@ namespace {
 
     worker::Limits limits()
     {
-        const std::filesystem::path root { submission::sourceDirectory };
-        return { .memoryBytes = std::size_t(4) << 30,
-            .outputBytes = std::size_t(1) << 20,
-            .cpuTime = std::chrono::seconds(8), // the slowest check takes the reference one
-            .readable = { root / "scenes", root / "grading" / "scenes" } };
+        worker::Limits limits = limitsOfWorkers();
+        limits.cpuTime = std::chrono::seconds(8); // the slowest check takes the reference one
+        return limits;
     }
 
 }
@@ -28,17 +26,16 @@ NotAttempted::NotAttempted(const std::vector<std::string>& functions_)
 {
 }
 
-// Wall-clock time, on a machine that may be busy: the limit on the processor's time is met first by all but
-// sleepers.
+// Wall-clock time, on a machine that may be busy: the limit on the processor's time is met first by all but sleepers.
 std::chrono::milliseconds Patience::left() const
 {
     return slowProbes.empty() ? std::chrono::seconds(12) : std::chrono::seconds(2);
 }
 
-Exam::Exam(std::filesystem::path submission, std::filesystem::path reference, Random random_, Patience& patience)
+Exam::Exam(std::filesystem::path submission, ExpectedAnswers& expected, Random random_, Patience& patience)
     : random(std::move(random_))
     , m_submission { std::move(submission), nullptr }
-    , m_reference { std::move(reference), nullptr }
+    , m_expected(expected)
     , m_patience(patience)
 {
 }
@@ -52,15 +49,6 @@ worker::Message Exam::run(
     if (!answer.unwritten.empty())
         throw NotAttempted(answer.unwritten);
     return std::move(answer.output);
-}
-
-worker::Message Exam::runReference(const std::string& probe, const worker::Message& message)
-{
-    try {
-        return run(m_reference, probe, message, std::chrono::minutes(1));
-    } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("the reference's worker, asked for {}: {}", probe, error.what()));
-    }
 }
 
 worker::Message Exam::runSubmission(const std::string& probe, const worker::Message& message)

@@ -1,4 +1,5 @@
 #pragma once
+#include "grading/expected.h"
 #include "grading/random.h"
 #include "grading/row.h"
 #include "worker/process.h"
@@ -33,11 +34,11 @@ struct Patience {
     [[nodiscard]] std::chrono::milliseconds left() const;
 };
 
-// One check on one submission: its random inputs and its two workers. Each starts when it is first asked; a check never
-// sees what another one left behind.
+// One check on one submission: its random inputs, its worker and the reference's answers. The worker starts when it is
+// first asked; a check never sees what another one left behind.
 class Exam {
 public:
-    Exam(std::filesystem::path submission, std::filesystem::path reference, Random random, Patience& patience);
+    Exam(std::filesystem::path submission, ExpectedAnswers& expected, Random random, Patience& patience);
 
     Random random;
     std::shared_ptr<const PicturePair> pictures; // what the check compared, for the report
@@ -50,12 +51,17 @@ public:
         return get<Result>([&](const worker::Message& message) { return runSubmission(probe, message); }, inputs...);
     }
 
-    // Asks the reference's. Throws std::runtime_error when that fails: then there is nothing to judge by.
+    // Asks the reference. The inputs must depend neither on the submission nor on `random`: answers are kept. Throws
+    // std::runtime_error when there is none.
     template <typename Result, typename... Inputs>
     [[nodiscard]] Result askReference(const std::string& probe, const Inputs&... inputs)
     {
-        return get<Result>([&](const worker::Message& message) { return runReference(probe, message); }, inputs...);
+        return get<Result>(
+            [&](const worker::Message& message) { return m_expected.answer(probe, message); }, inputs...);
     }
+
+    // Whether to ask the reference also what only other submissions make necessary.
+    [[nodiscard]] bool wantsAllAnswers() const { return m_expected.wantsAll(); }
 
 private:
     struct Side {
@@ -75,11 +81,10 @@ private:
 
     worker::Message run(
         Side& side, const std::string& probe, const worker::Message& message, std::chrono::milliseconds timeout);
-    worker::Message runReference(const std::string& probe, const worker::Message& message);
     worker::Message runSubmission(const std::string& probe, const worker::Message& message);
 
     Side m_submission;
-    Side m_reference;
+    ExpectedAnswers& m_expected;
     Patience& m_patience;
 };
 

@@ -3,8 +3,8 @@
 #include "grading/exam.h"
 #include "grading/feature.h"
 #include "grading/row_store.h"
+#include "grading/scene_folders.h"
 #include "submission/digest.h"
-#include "submission/paths.h"
 #include "submission/submission.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -75,13 +75,9 @@ namespace {
     }
 
     // What a row depends on beside the submission: the checks, the answers that are expected, and the scenes.
-    std::string digestOfJudge(const std::filesystem::path& referenceWorker)
+    std::string digestOfJudge(const ExpectedAnswers& expected)
     {
-        const std::filesystem::path root { submission::sourceDirectory };
-        submission::Digest digest;
-        digest.addFile("/proc/self/exe").addFile(referenceWorker);
-        digest.addFolder(root / "scenes").addFolder(root / "grading" / "scenes");
-        return digest.hex();
+        return submission::Digest().addFile("/proc/self/exe").add(expected.version()).add(digestOfScenes()).hex();
     }
 
     // One submission, built, and what its grading needs to know.
@@ -124,7 +120,7 @@ namespace {
     private:
         [[nodiscard]] Row ask(const Check& check, uint64_t seed)
         {
-            Exam exam { m_worker.file, m_grading.assignment.referenceWorker, Random(seed), m_patience };
+            Exam exam { m_worker.file, *m_grading.assignment.expected, Random(seed), m_patience };
             Row row = toRow(check, judge(check, exam, m_part));
             row.pictures = exam.pictures;
             return row;
@@ -166,7 +162,7 @@ std::vector<Row> grade(const Assignment& assignment, const std::function<void(co
 {
     const std::vector<const Feature*> wanted = wantedFeatures(assignment.onlyFeature);
     Grading grading { assignment, submission::Submission(assignment.submission), RowStore(!assignment.isFresh),
-        digestOfJudge(assignment.referenceWorker) };
+        digestOfJudge(*assignment.expected) };
     grading.submission.buildFeatureWorkers(filesOf(wanted));
 
     std::vector<std::vector<Row>> rows(wanted.size());

@@ -1,15 +1,17 @@
 #pragma once
+#include "grading/expected.h"
 #include "grading/row.h"
 #include "grading/secret.h"
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace grading {
 
 struct Assignment {
     std::filesystem::path submission; // folder
-    std::filesystem::path referenceWorker; // program
+    std::shared_ptr<ExpectedAnswers> expected;
     std::string onlyFeature; // empty: all
     Secret secret { 1 }; // what all random inputs follow from
     bool isFresh = false; // repeats also the checks that cannot see what has changed since the last time

@@ -1,7 +1,9 @@
 // ./raywork grade: builds a submission, asks it questions in a process of its own, and tells what it is worth.
 #include "files/error.h"
 #include "grading/feature.h"
+#include "grading/golden_file.h"
 #include "grading/grade.h"
+#include "grading/live_reference.h"
 #include "grading/outputs.h"
 #include "grading/report.h"
 #include "grading/supervisor.h"
@@ -21,6 +23,8 @@ enum ExitCode { Graded = 0, BadInput = 2, GraderFailed = 75 };
 struct Options {
     std::string submission;
     std::string onlyFeature;
+    std::string golden;
+    std::string record;
     uint64_t seed = 1;
     std::string secretFile;
     std::string referenceWorker = std::string(submission::buildDirectory) + "/grading/reference-worker";
@@ -46,7 +50,8 @@ void declare(CLI::App& cli, Options& options)
     std::vector<std::string> names;
     for (const grading::Feature& feature : grading::gradedFeatures)
         names.push_back(feature.name);
-    cli.add_option("submission", options.submission, "A folder with a submission's files, such as student")->required();
+    CLI::Option* submission
+        = cli.add_option("submission", options.submission, "A folder with a submission's files, such as student");
     cli.add_option("--only", options.onlyFeature, "Grade this feature alone")->check(CLI::IsMember(names));
     CLI::Option* const seed = cli.add_option("--seed", options.seed, "Of the random inputs [1]");
     cli.add_option("--secret-file", options.secretFile, "The random inputs follow from its contents, 16 bytes or more")
@@ -57,7 +62,15 @@ void declare(CLI::App& cli, Options& options)
     cli.add_option("--reference-worker", options.referenceWorker, "The program whose answers are taken for right");
     cli.add_flag("--fresh", options.isFresh, "Repeat also the checks that see nothing changed since the last time");
     cli.add_flag("--watch", options.isWatching, "Grade again after each change of a file, until interrupted");
+    cli.add_option("--golden", options.golden, "Take the reference's answers from this file")->check(CLI::ExistingFile);
+    cli.add_option("--record", options.record, "Write the reference's answers to this file, for any submission")
+        ->excludes("--golden")
+        ->excludes(submission);
     declare(cli, options.outputs);
+    cli.callback([&options] {
+        if (options.submission.empty() && options.record.empty())
+            throw CLI::RequiredError("submission");
+    });
     cli.footer("Exit codes: 0 graded, whatever the score; 2 bad input; 75 the grader failed.");
 }
 
@@ -74,6 +87,31 @@ void showProgress(std::string_view what)
 {
     if (isatty(STDERR_FILENO))
         fmt::print(stderr, "\r\033[K{}", what);
+}
+
+std::shared_ptr<grading::ExpectedAnswers> expectedAnswers(const Options& options)
+{
+    if (!options.golden.empty())
+        return std::make_shared<grading::GoldenFile>(options.golden);
+    const auto folder = std::filesystem::path(submission::buildDirectory) / "grading";
+    return std::make_shared<grading::LiveReference>(options.referenceWorker, folder / "answers");
+}
+
+// Grades the reference by its own answers, and keeps these.
+void record(const Options& options)
+{
+    const auto reference = std::filesystem::path(submission::sourceDirectory) / "reference";
+    const auto source = expectedAnswers(options);
+    const auto recorder = std::make_shared<grading::Recorder>(*source);
+    showProgress("compiling");
+    const std::vector<grading::Row> rows
+        = grading::grade({ reference, recorder, options.onlyFeature, grading::Secret(options.seed), true },
+            [](const grading::Row& row) { showProgress(row.name); });
+    showProgress("");
+    for (const grading::Row& row : rows)
+        if (row.status != grading::Status::Passed)
+            throw std::runtime_error(fmt::format("the reference fails {}: {}", row.name, row.message));
+    recorder->write(options.record);
 }
 
 // Of a folder, "a/b/" or "." too.
@@ -123,7 +161,7 @@ void gradeOnce(const Options& options)
     const grading::Secret secret = options.secretFile.empty()
         ? grading::Secret(options.seed)
         : grading::Secret(std::filesystem::path(options.secretFile));
-    const grading::Assignment assignment { options.submission, options.referenceWorker, options.onlyFeature, secret,
+    const grading::Assignment assignment { options.submission, expectedAnswers(options), options.onlyFeature, secret,
         options.isFresh };
     GrowingGrade growing { options };
     showProgress("compiling");
@@ -139,7 +177,9 @@ int run(const Options& options)
     try {
         chooseSandbox(options.sandbox);
         grading::expectPatternsMatch(options.outputs.hidden);
-        if (!options.isWatching)
+        if (!options.record.empty())
+            record(options);
+        else if (!options.isWatching)
             gradeOnce(options);
         else
             grading::watch(options.submission, [&] { gradeOnce(options); });

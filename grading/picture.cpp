@@ -1,141 +1,177 @@
 #include "grading/picture.h"
 #include "grading/expect.h"
-#include "submission/paths.h"
-#include <cmath>
-#include <fmt/format.h>
+#include "grading/picture_judge.h"
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numeric>
+#include <span>
 
 namespace grading {
 namespace {
 
-    constexpr int tileSize = 8; // pixels
+    constexpr std::size_t numReplicates = 32;
 
-    using Picture = worker::Rendering;
+    // Rays a pixel and replicate. Most pictures are decided by the first; squares, as strata want them.
+    constexpr std::array<int, 3> stages { 4, 16, 64 };
 
-    // Calls f(corner, area) for each tile of the picture.
-    template <typename F> void forEachTile(glm::ivec2 size, const F& f)
+    // How often in all a right solution may lose a point by chance, over the pictures that a whole grade compares, or a
+    // few more, and their stages.
+    constexpr int mostPictures = 16;
+    constexpr double significance = 1e-4 / (mostPictures * stages.size());
+
+    std::vector<uint32_t> randomSeeds(Random& random)
     {
-        for (int y = 0; y < size.y; y += tileSize)
-            for (int x = 0; x < size.x; x += tileSize)
-                f(glm::ivec2(x, y), glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y)));
+        std::vector<uint32_t> seeds(numReplicates);
+        for (uint32_t& seed : seeds)
+            seed = random.seed();
+        return seeds;
     }
 
-    // The sum of f(pixel index) over a tile, divided by its pixels.
-    template <typename F> glm::dvec3 tileMean(glm::ivec2 size, glm::ivec2 corner, glm::ivec2 area, const F& f)
+    // The same for every submission, so that the answers can be kept.
+    std::vector<uint32_t> referenceSeeds()
     {
-        glm::dvec3 sum { 0.0 };
-        for (int y = corner.y; y < corner.y + area.y; ++y)
-            for (int x = corner.x; x < corner.x + area.x; ++x)
-                sum += f(static_cast<std::size_t>(y * size.x + x));
-        return sum / static_cast<double>(area.x * area.y);
+        std::vector<uint32_t> seeds(numReplicates);
+        std::iota(seeds.begin(), seeds.end(), 1u);
+        return seeds;
     }
 
-    std::string describe(const worker::RenderRequest& request)
-    {
-        return std::filesystem::path(request.scene).filename().string();
-    }
-
-    void expectShape(const worker::RenderRequest& request, const Picture& came)
-    {
-        const auto numPixels = static_cast<std::size_t>(request.size.x) * static_cast<std::size_t>(request.size.y);
-        expect(came.size == request.size, describe(request), "a picture of another size", "the size asked for");
-        expectCount(describe(request), came.pixels.size(), numPixels);
-        for (const glm::vec3& color : came.pixels)
-            expect(std::isfinite(color.x) && std::isfinite(color.y) && std::isfinite(color.z), describe(request),
-                "a pixel of " + toText(color), "finite colours");
-    }
-
-    std::string whereIs(glm::ivec2 corner)
-    {
-        return fmt::format(
-            "around pixel ({}, {}) from the bottom left", corner.x + tileSize / 2, corner.y + tileSize / 2);
-    }
-
-    // Mean and variance of a tile's mean over several pictures.
-    struct Estimate {
-        glm::dvec3 mean { 0.0 };
-        glm::dvec3 variance { 0.0 }; // of the mean
+    struct Asked {
+        ReplicatesRequest request;
+        const worker::Message& more;
     };
 
-    Estimate estimate(const std::vector<Picture>& pictures, glm::ivec2 corner, glm::ivec2 area)
+    worker::Message& operator<<(worker::Message& message, const Asked& asked)
     {
-        std::vector<glm::dvec3> means;
-        for (const Picture& picture : pictures)
-            means.push_back(
-                tileMean(picture.size, corner, area, [&](std::size_t i) { return glm::dvec3(picture.pixels[i]); }));
-        const auto n = static_cast<double>(means.size());
-        Estimate result;
-        for (const glm::dvec3& mean : means)
-            result.mean += mean / n;
-        for (const glm::dvec3& mean : means)
-            result.variance += (mean - result.mean) * (mean - result.mean) / (n * (n - 1.0));
-        return result;
+        message << asked.request;
+        message.append(asked.more.bytes().data(), asked.more.bytes().size());
+        return message;
     }
 
-}
-
-worker::RenderRequest pictureOf(const std::string& scene, std::vector<std::string> settings)
-{
-    worker::RenderRequest request;
-    request.scene = fmt::format("{}/scenes/{}.toml", submission::sourceDirectory, scene);
-    request.settings = std::move(settings);
-    request.settings.insert(request.settings.begin(), { "pixel_samples=16", "jittered_sampling=true" });
-    request.size = { 96, 96 };
-    request.numThreads = 1;
-    return request;
-}
-
-void expectSamePicture(const worker::RenderRequest& request, const Picture& came, const Picture& expected)
-{
-    // A tile has 64 pixels: one that is black instead of white makes 0.016. Rays that start up to 1e-3 beside each
-    // other change a hundredth of the samples along an edge.
-    constexpr double tolerance = 0.01;
-    expectShape(request, came);
-    forEachTile(expected.size, [&](glm::ivec2 corner, glm::ivec2 area) {
-        const glm::dvec3 difference = tileMean(expected.size, corner, area,
-            [&](std::size_t i) { return glm::abs(glm::dvec3(came.pixels[i]) - glm::dvec3(expected.pixels[i])); });
-        const double worst = std::max({ difference.x, difference.y, difference.z });
-        expect(worst <= tolerance, describe(request),
-            fmt::format("a mean difference of {:.3f} {}", worst, whereIs(corner)),
-            fmt::format("{} or less", tolerance));
-    });
-}
-
-void comparePictures(Exam& exam, const worker::RenderRequest& request)
-{
-    const auto came = exam.ask<Picture>("render.pixels", request);
-    const auto expected = exam.askReference<Picture>("render.pixels", request);
-    exam.pictures = std::make_shared<PicturePair>(PicturePair { came.size, came.pixels, expected.pixels });
-    expectSamePicture(request, came, expected);
-}
-
-void compareNoisyPictures(Exam& exam, const worker::RenderRequest& request)
-{
-    constexpr int numPictures = 12;
-    // Student's t with 11 degrees of freedom or more exceeds 9 with probability 2e-6: over 432 tiles and channels a
-    // right solution fails once in a thousand, and then only if the difference could be seen as well.
-    constexpr double significant = 9.0;
-    constexpr double visible = 0.01;
-
-    std::vector<Picture> came, expected;
-    worker::RenderRequest seeded = request;
-    for (int i = 0; i < numPictures; ++i) {
-        seeded.seed = exam.random.seed();
-        came.push_back(exam.ask<Picture>("render.pixels", seeded));
-        expectShape(request, came.back());
-        seeded.seed = exam.random.seed();
-        expected.push_back(exam.askReference<Picture>("render.pixels", seeded));
+    void append(Replicates& all, const Replicates& part, std::size_t numParts)
+    {
+        if (all.tiles.empty())
+            all = { part.size, std::vector<glm::vec3>(part.mean.size()), {} };
+        expect(part.size == all.size && part.mean.size() == all.mean.size(), "a picture with another seed",
+            "one of another size", "the same size");
+        for (std::size_t i = 0; i < part.mean.size(); ++i)
+            all.mean[i] += part.mean[i] / static_cast<float>(numParts);
+        all.tiles.insert(all.tiles.end(), part.tiles.begin(), part.tiles.end());
     }
-    forEachTile(request.size, [&](glm::ivec2 corner, glm::ivec2 area) {
-        const Estimate ours = estimate(expected, corner, area);
-        const Estimate theirs = estimate(came, corner, area);
-        for (int c = 0; c < 3; ++c) {
-            const double difference = std::abs(theirs.mean[c] - ours.mean[c]);
-            const double deviation = std::sqrt(theirs.variance[c] + ours.variance[c]);
-            expect(difference <= visible || difference <= significant * deviation, describe(request),
-                fmt::format("a mean of {:.3f} {}", theirs.mean[c], whereIs(corner)),
-                fmt::format("{:.3f}, give or take {:.3f}", ours.mean[c], significant * deviation));
+
+    // ask(probe, Asked) -> Replicates of `perQuestion` seeds.
+    template <typename Ask>
+    Replicates render(const PictureQuestion& picture, int raysPerPixel, std::span<const uint32_t> seeds,
+        std::size_t perQuestion, const Ask& ask)
+    {
+        Asked asked { picture.request, picture.more };
+        asked.request.settings.push_back({ "pixel_samples", std::to_string(raysPerPixel) });
+        Replicates all;
+        for (std::size_t first = 0; first < seeds.size(); first += perQuestion) {
+            const auto some = seeds.subspan(first, perQuestion);
+            asked.request.seeds.assign(some.begin(), some.end());
+            append(all, ask(picture.probe, asked), seeds.size() / perQuestion);
         }
-    });
+        return all;
+    }
+
+    // A later stage asks for fewer pictures at once, so that a worker takes about as long over every question.
+    Replicates renderSubmission(Exam& exam, const PictureQuestion& picture, int raysPerPixel)
+    {
+        const auto perQuestion
+            = numReplicates * static_cast<std::size_t>(stages.front()) / static_cast<std::size_t>(raysPerPixel);
+        return render(picture, raysPerPixel, randomSeeds(exam.random), perQuestion,
+            [&](const std::string& probe, const Asked& asked) { return exam.ask<Replicates>(probe, asked); });
+    }
+
+    Replicates renderReference(Exam& exam, const PictureQuestion& picture, int raysPerPixel)
+    {
+        return render(picture, raysPerPixel, referenceSeeds(), numReplicates,
+            [&](const std::string& probe, const Asked& asked) { return exam.askReference<Replicates>(probe, asked); });
+    }
+
+    // Whatever a submission's pictures may lead to.
+    void askReferenceForAll(Exam& exam, const std::vector<PictureQuestion>& valid)
+    {
+        for (const PictureQuestion& picture : valid)
+            for (const int raysPerPixel : stages)
+                (void)renderReference(exam, picture, raysPerPixel);
+    }
+
+    // One that a submission's pictures were compared with.
+    struct Rival {
+        PictureQuestion picture;
+        Replicates expected;
+        Judgement judgement;
+    };
+
+    using Outcome = Judgement::Outcome;
+    Outcome outcomeOf(const Rival& rival)
+    {
+        return rival.judgement.outcome;
+    }
+
+    std::vector<Rival> compare(
+        Exam& exam, const Replicates& came, const std::vector<PictureQuestion>& valid, int raysPerPixel)
+    {
+        std::vector<Rival> rivals;
+        for (const PictureQuestion& picture : valid) {
+            Replicates expected = renderReference(exam, picture, raysPerPixel);
+            const Judgement judgement = judgePictures(came, expected, significance);
+            rivals.push_back({ picture, std::move(expected), judgement });
+        }
+        return rivals;
+    }
+
+    std::shared_ptr<const PicturePair> pairOf(const Replicates& came, const Rival& rival)
+    {
+        if (came.mean.size() != rival.expected.mean.size())
+            return nullptr; // not to be shown side by side
+        return std::make_shared<PicturePair>(
+            PicturePair { rival.expected.size, came.mean, rival.expected.mean, rival.judgement.worst });
+    }
+
+    [[noreturn]] void reject(const Rival& rival)
+    {
+        throw Wrong(std::filesystem::path(rival.picture.request.scene).filename().string(), rival.judgement.came,
+            rival.judgement.expected);
+    }
+
+}
+
+PictureQuestion pictureOf(const std::string& scene, std::vector<Setting> settings)
+{
+    settings.insert(settings.begin(), { "jittered_sampling", "true" });
+    return { "render.replicates",
+        { .scene = "scenes/" + scene + ".toml", .settings = std::move(settings), .size = { 64, 64 }, .seeds = {} },
+        {} };
+}
+
+void comparePicture(Exam& exam, const PictureQuestion& picture)
+{
+    comparePicture(exam, picture, { picture });
+}
+
+void comparePicture(Exam& exam, const PictureQuestion& picture, const std::vector<PictureQuestion>& valid)
+{
+    if (exam.wantsAllAnswers())
+        askReferenceForAll(exam, valid);
+    std::vector<PictureQuestion> left = valid;
+    for (const int raysPerPixel : stages) {
+        const Replicates came = renderSubmission(exam, picture, raysPerPixel);
+        const std::vector<Rival> rivals = compare(exam, came, left, raysPerPixel);
+        const auto same = std::ranges::find(rivals, Outcome::Same, outcomeOf);
+        exam.pictures = pairOf(came, same == rivals.end() ? rivals.front() : *same);
+        if (same != rivals.end())
+            return;
+        left.clear();
+        for (const Rival& rival : rivals)
+            if (outcomeOf(rival) == Outcome::Undecided)
+                left.push_back(rival.picture);
+        if (left.empty())
+            reject(rivals.front());
+    }
+    // Still undecided: in favour of the submission.
 }
 
 }

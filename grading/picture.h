@@ -1,25 +1,28 @@
 #pragma once
 #include "grading/exam.h"
-#include "worker/render_request.h"
+#include "grading/replicates.h"
 #include <string>
 #include <vector>
 
 namespace grading {
 
-// How a check renders: small, on one thread, with 4 x 4 rays a pixel, so that the pixels along an edge are shades
-// rather than coin tosses that a right solution may lose.
-[[nodiscard]] worker::RenderRequest pictureOf(const std::string& scene, std::vector<std::string> settings = {});
+// How a check has its picture rendered. The seeds and the number of rays a pixel are the judge's to choose.
+struct PictureQuestion {
+    std::string probe;
+    ReplicatesRequest request;
+    worker::Message more; // what the probe reads after the request
+};
 
-// Throws Wrong unless the pictures agree: same size, finite, no 8 x 8 tile differs by more than a few edge pixels.
-void expectSamePicture(
-    const worker::RenderRequest& request, const worker::Rendering& came, const worker::Rendering& expected);
+// A scene of that name, small, with stratified rays, so that the pixels along an edge are shades.
+[[nodiscard]] PictureQuestion pictureOf(const std::string& scene, std::vector<Setting> settings = {});
 
-// Renders the scene by both workers, and compares. The submission's worker has its file for the graded feature and the
-// reference's for all else, so the camera rays are the same.
-void comparePictures(Exam& exam, const worker::RenderRequest& request);
+// Has the picture rendered by the submission and by the reference, each often and with random numbers of its own, and
+// throws Wrong where the means differ by more than a right solution's may and more than chance explains. A right
+// solution fails any of a whole grade's pictures by chance once in 10,000 times.
+void comparePicture(Exam& exam, const PictureQuestion& picture);
 
-// The same for pictures that depend on random numbers: renders each several times with other seeds, and throws Wrong
-// where the means of a tile differ by more than chance and more than can be seen.
-void compareNoisyPictures(Exam& exam, const worker::RenderRequest& request);
+// The same where several answers are valid: those that the reference gives to each of these questions, the usual one
+// first.
+void comparePicture(Exam& exam, const PictureQuestion& picture, const std::vector<PictureQuestion>& valid);
 
 }

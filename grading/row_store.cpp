@@ -1,11 +1,8 @@
 #include "grading/row_store.h"
-#include "files/text.h"
+#include "grading/sealed_file.h"
 #include "submission/paths.h"
 #include "submission/prune.h"
 #include "worker/message.h"
-#include <fstream>
-#include <thread>
-#include <unistd.h>
 
 namespace grading {
 namespace {
@@ -38,14 +35,6 @@ namespace {
         return row;
     }
 
-    worker::Message readMessage(const fs::path& path)
-    {
-        const std::string text = files::readText(path);
-        worker::Message message;
-        message.append(text.data(), text.size());
-        return message;
-    }
-
 }
 
 RowStore::RowStore(bool isWanted)
@@ -59,32 +48,17 @@ RowStore::RowStore(bool isWanted)
 std::optional<Row> RowStore::find(const std::string& key) const
 {
     const fs::path path = m_folder / key;
-    if (!m_isWanted || !fs::exists(path))
+    const std::optional<worker::Message> message = m_isWanted ? readSealed(path) : std::nullopt;
+    if (!message)
         return {};
-    try {
-        const Row row = toRow(readMessage(path));
-        submission::noteUse(path);
-        return row;
-    } catch (const std::exception&) { // cut short, or gone by now: then the check is repeated
-        return {};
-    }
+    submission::noteUse(path);
+    return toRow(*message);
 }
 
 void RowStore::keep(const std::string& key, const Row& row) const
 {
-    if (!m_isWanted || row.status == Status::Crashed || row.status == Status::TimedOut)
-        return;
-    const std::size_t thread = std::hash<std::thread::id> {}(std::this_thread::get_id());
-    const fs::path unfinished = m_folder / (key + "." + std::to_string(getpid()) + "." + std::to_string(thread));
-    std::ofstream file(unfinished, std::ios::binary);
-    const worker::Message message = toMessage(row);
-    file.write(reinterpret_cast<const char*>(message.bytes().data()), static_cast<long>(message.bytes().size()));
-    file.close();
-    std::error_code failed; // a row that is not kept is asked for again
-    if (file)
-        fs::rename(unfinished, m_folder / key, failed);
-    else
-        fs::remove(unfinished, failed);
+    if (m_isWanted && row.status != Status::Crashed && row.status != Status::TimedOut)
+        writeSealed(m_folder / key, toMessage(row));
 }
 
 }

@@ -10,7 +10,7 @@ struct Digest::State {
     crypto_generichash_state hash;
 };
 
-constexpr std::size_t numBytes = 16;
+constexpr std::size_t numBytes = 20;
 
 Digest::Digest()
     : m_state(std::make_unique<State>())
@@ -31,6 +31,11 @@ Digest& Digest::add(std::string_view text)
     update(m_state->hash, std::to_string(text.size()) + ":");
     update(m_state->hash, text);
     return *this;
+}
+
+Digest& Digest::add(std::span<const std::byte> bytes)
+{
+    return add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 Digest& Digest::addFile(const std::filesystem::path& path)

@@ -1,13 +1,13 @@
 #pragma once
-#include <array>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace submission {
 
-// A name for what was added, in this order: equal names mean equal contents. BLAKE2b (RFC 7693) with 128 bits.
+// A name for what was added, in this order: equal names mean equal contents. BLAKE2b (RFC 7693) with 160 bits.
 class Digest {
 public:
     Digest();
@@ -16,6 +16,7 @@ public:
     Digest& operator=(const Digest&) = delete;
 
     Digest& add(std::string_view text);
+    Digest& add(std::span<const std::byte> bytes);
     // A file's contents. Throws files::Error when it cannot be read.
     Digest& addFile(const std::filesystem::path& path);
     // The names and contents of all files below a folder that end so, or of all.

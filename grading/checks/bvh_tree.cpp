@@ -98,7 +98,7 @@ namespace {
     });
 
     const Check picture("bvh.picture.dragon", 1.0, "see the checks of BVH::intersect",
-        [](Exam& exam) { comparePictures(exam, pictureOf("dragon")); });
+        [](Exam& exam) { comparePicture(exam, pictureOf("dragon")); });
 
 }
 }

@@ -100,7 +100,7 @@ namespace {
         "coordinates below 0 and above 1 stay as they are: what they mean is up to the texture's lookup",
         [](Exam& exam) { compareTexCoords(exam, -8.0f, 8.0f); });
     const Check picture("interpolation.picture.normals", 1.0, "see the other checks of interpolation",
-        [](Exam& exam) { comparePictures(exam, pictureOf("normal_interpolation")); });
+        [](Exam& exam) { comparePicture(exam, pictureOf("normal_interpolation")); });
 
 }
 }

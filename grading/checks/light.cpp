@@ -192,12 +192,14 @@ namespace {
         [](Exam& exam) { expectColors(sampleParallelogram(exam)); });
 
     const Check hardShadows("light.picture.hard_shadows", 0.75, "see the checks of visibilityOfLightSampleBinary",
-        [](Exam& exam) { comparePictures(exam, pictureOf("hard_shadows")); });
+        [](Exam& exam) { comparePicture(exam, pictureOf("hard_shadows")); });
     const Check transparentShadows("light.picture.transparent_shadows", 0.75,
         "see the checks of visibilityOfLightSampleTransparency",
-        [](Exam& exam) { comparePictures(exam, pictureOf("transparent_shadows")); });
-    const Check softShadows("light.picture.soft_shadows", 0.5, "see the checks of segment and parallelogram lights",
-        [](Exam& exam) { compareNoisyPictures(exam, pictureOf("soft_shadows", { "shadow_samples=4" })); });
+        [](Exam& exam) { comparePicture(exam, pictureOf("transparent_shadows")); });
+    const Check softShadows(
+        "light.picture.soft_shadows", 0.5, "see the checks of segment and parallelogram lights", [](Exam& exam) {
+            comparePicture(exam, pictureOf("soft_shadows", { { "shadow_samples", "4" } }));
+        });
 
 }
 }

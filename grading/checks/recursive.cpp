@@ -169,7 +169,7 @@ namespace {
     const Check reflectionRay("reflection.light.ray", 1.0, "renderRay gets the ray of generateReflectionRay",
         [](Exam& exam) { compareRay(exam, reflection, mirror(exam.random.color())); });
     const Check reflectionPicture("reflection.picture.mirrors", 1.0, "see the other checks of reflections",
-        [](Exam& exam) { comparePictures(exam, pictureOf("reflections")); });
+        [](Exam& exam) { comparePicture(exam, pictureOf("reflections")); });
 
     const Check passthroughDirection("transparency.ray.direction", 1.0, "the ray goes on in the direction it came in",
         [](Exam& exam) { compareDirection(exam, passthrough, incidencesAt(exam.random, 0.01f, 1.0f)); });
@@ -216,7 +216,7 @@ namespace {
     const Check transparencyRay("transparency.light.ray", 0.5, "renderRay gets the ray of generatePassthroughRay",
         [](Exam& exam) { compareRay(exam, passthrough, veil(0.5f)); });
     const Check transparencyPicture("transparency.picture.layers", 1.0, "see the other checks of transparency",
-        [](Exam& exam) { comparePictures(exam, pictureOf("transparency")); });
+        [](Exam& exam) { comparePicture(exam, pictureOf("transparency")); });
 
 }
 }

@@ -1,6 +1,8 @@
 #include "config.h"
 #include "grading/probes/empty_state.h"
 #include "grading/probes/pixel_case.h"
+#include "grading/probes/render_replicate.h"
+#include "recursive.h"
 #include "worker/probe.h"
 
 namespace grading {
@@ -26,6 +28,12 @@ namespace {
         "render.uniform", [](worker::Call& call) { generateAll(call, generatePixelRaysUniform); });
     const worker::Probe stratified(
         "render.stratified", [](worker::Call& call) { generateAll(call, generatePixelRaysStratified); });
+
+    // A ReplicatesRequest -> Replicates. Whatever renderImage a submission has: it may choose seeds of its own.
+    const worker::Probe picture("render.replicates", [](worker::Call& call) {
+        call.output << replicate(call.input.read<ReplicatesRequest>(),
+            [](RenderState& state, std::span<const Ray> rays) { return renderRays(state, rays); });
+    });
 
 }
 }

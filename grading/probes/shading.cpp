@@ -1,9 +1,8 @@
 #include "shading.h"
-#include "files/scene_file.h"
 #include "grading/probes/empty_state.h"
+#include "grading/probes/render_replicate.h"
 #include "grading/probes/shading_case.h"
 #include "worker/probe.h"
-#include "worker/render_request.h"
 
 namespace grading {
 namespace {
@@ -35,34 +34,33 @@ namespace {
         call.output << colors;
     }
 
-    // scene file, components, whether the course's optional factor max(cosine, 0) is in it -> a picture of 96 x 96
-    // pixels, lit by the scene's point lights
-    const worker::Probe picture("shading.picture", [](worker::Call& call) {
-        const files::SceneFile file = files::loadSceneFile(call.input.read<std::string>());
+    // A pixel's colour by the scene's point lights. withCosine: with the course's optional factor max(cosine, 0).
+    glm::vec3 shade(RenderState& state, Ray ray, const LinearGradient& gradient, bool withCosine)
+    {
+        HitInfo hit;
+        glm::vec3 color { 0.0f };
+        if (!state.bvh.intersect(state, ray, hit))
+            return color;
+        for (const Scene::SceneLight& any : state.scene.lights) {
+            const auto& light = std::get<PointLight>(any);
+            const glm::vec3 toLight = glm::normalize(light.position - (ray.origin + ray.t * ray.direction));
+            const float factor = withCosine ? std::max(glm::dot(hit.normal, toLight), 0.0f) : 1.0f;
+            color += factor * computeLinearGradientModel(state, -ray.direction, toLight, light.color, hit, gradient);
+        }
+        return color;
+    }
+
+    // a ReplicatesRequest, components, withCosine -> Replicates
+    const worker::Probe picture("shading.replicates", [](worker::Call& call) {
+        const auto request = call.input.read<ReplicatesRequest>();
         const LinearGradient gradient { call.input.read<std::vector<LinearGradient::Component>>() };
         const auto withCosine = call.input.read<bool>();
-        const BVH bvh { file.scene, file.config.features };
-        RenderState state { file.scene, file.config.features, bvh, Sampler(1) };
-        const Trackball camera = makeTrackball(file.config);
-
-        worker::Rendering rendering { .size = glm::ivec2(96) };
-        for (int i = 0; i < rendering.size.x * rendering.size.y; ++i) {
-            const glm::vec2 pixel { i % rendering.size.x, i / rendering.size.x };
-            Ray ray = camera.generateRay((pixel + 0.5f) / glm::vec2(rendering.size) * 2.0f - 1.0f);
-            HitInfo hit;
-            glm::vec3 color { 0.0f };
-            if (bvh.intersect(state, ray, hit)) {
-                for (const Scene::SceneLight& any : file.scene.lights) {
-                    const auto& light = std::get<PointLight>(any);
-                    const glm::vec3 toLight = glm::normalize(light.position - (ray.origin + ray.t * ray.direction));
-                    const float factor = withCosine ? std::max(glm::dot(hit.normal, toLight), 0.0f) : 1.0f;
-                    color += factor
-                        * computeLinearGradientModel(state, -ray.direction, toLight, light.color, hit, gradient);
-                }
-            }
-            rendering.pixels.push_back(color);
-        }
-        call.output << rendering;
+        call.output << replicate(request, [&](RenderState& state, std::span<const Ray> rays) {
+            glm::vec3 sum { 0.0f };
+            for (const Ray& ray : rays)
+                sum += shade(state, ray, gradient, withCosine);
+            return sum / static_cast<float>(rays.size());
+        });
     });
 
     const worker::Probe model("shading.model", [](worker::Call& call) { shadeAll(call, computeLinearGradientModel); });

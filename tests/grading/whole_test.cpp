@@ -1,7 +1,9 @@
 #include "graded.h"
 #include "grading/feature.h"
 #include "submission/paths.h"
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 namespace fs = std::filesystem;
 
@@ -75,4 +77,29 @@ TEST_CASE("Bad input ends with one line and exit code 2", "[grading]")
     {
         CHECK(grade(root / "reference", "--only colour").exitCode == 2);
     }
+}
+
+TEST_CASE("Recorded answers give the grade that the reference's worker gives, and need no worker", "[grading]")
+{
+    const fs::path build { submission::buildDirectory };
+    const fs::path worker = build / "grading" / "reference-worker",
+                   hidden = build / "grading" / "reference-worker-hidden";
+    const std::string golden = (build / "tests" / "golden").string();
+    const std::string only = "--only texture"; // has pictures with two valid answers
+    const fs::path folder = copyOfReference("texture", [](const std::string& text) { return text; });
+    const Graded live = grade(folder, only);
+
+    const std::string record = build.string() + "/grading/raywork-grade " + only + " --record '" + golden + "'";
+    REQUIRE(std::system(record.c_str()) == 0);
+    fs::rename(worker, hidden);
+    const Graded recorded = grade(folder, only + " --golden '" + golden + "'");
+    const Graded otherFeature = grade(folder, "--only reflection --golden '" + golden + "'");
+    fs::rename(hidden, worker);
+
+    INFO(recorded.printed);
+    CHECK(recorded.exitCode == 0);
+    CHECK(recorded.json.at("checks") == live.json.at("checks"));
+    CHECK(otherFeature.exitCode == 75);
+    CHECK(std::ranges::count(otherFeature.printed, '\n') == 1);
+    CHECK_THAT(otherFeature.printed, Catch::Contains("golden: found no answer of render.replicates"));
 }
