@@ -1,0 +1,105 @@
+#include "grading/validate/validate.h"
+#include "grading/feature.h"
+#include "grading/validate/folder.h"
+#include <fmt/format.h>
+
+namespace grading {
+namespace {
+
+    class Validation {
+    public:
+        Validation(Assignment setting, const OnProgress& onProgress)
+            : m_setting(std::move(setting))
+            , m_onProgress(onProgress)
+        {
+            m_setting.submission = validationFolder() / "solution";
+            m_setting.onlyFeature.clear();
+        }
+
+        [[nodiscard]] GraderErrors run(const Bank& bank, std::size_t acceptedGradings)
+        {
+            const std::size_t accepted = bank.accepted.size();
+            const std::size_t seeds = accepted == 0 ? 0 : (acceptedGradings + accepted - 1) / accepted;
+            m_total = bank.wrong.size() + accepted * seeds;
+            m_errors.wrongSolutions = bank.wrong.size();
+            m_errors.acceptedSolutions = accepted;
+            for (const Solution& solution : bank.wrong)
+                gradeWrong(solution);
+            for (const Solution& solution : bank.accepted)
+                for (std::size_t i = 0; i < seeds; ++i)
+                    gradeAccepted(solution, m_setting.seed + i);
+            return m_errors;
+        }
+
+    private:
+        [[nodiscard]] std::vector<Row> gradeOnce(const Solution& solution, uint64_t seed)
+        {
+            m_onProgress(fmt::format("{} of {}: {}", ++m_done, m_total, solution.title()));
+            writeChangedReference(m_setting.submission, solution.file, solution.text);
+            Assignment assignment = m_setting;
+            assignment.seed = seed;
+            return grade(assignment);
+        }
+
+        void gradeWrong(const Solution& solution)
+        {
+            std::set<std::string> failed;
+            for (const Row& row : gradeOnce(solution, m_setting.seed)) {
+                if (row.score >= row.maxScore)
+                    continue;
+                failed.insert(row.feature);
+                if (!solution.costs.contains(row.feature))
+                    m_errors.takenElsewhere.push_back({ solution.title(), m_setting.seed, row.name, row.message });
+            }
+            std::string missed;
+            for (const Feature& feature : gradedFeatures) {
+                const bool isWrong = solution.costs.contains(feature.name);
+                if (isWrong && !failed.contains(feature.name))
+                    missed += (missed.empty() ? "" : ", ") + feature.name;
+                m_errors.untouchedFeatures += !isWrong;
+                m_errors.wronglyTouchedFeatures += !isWrong && failed.contains(feature.name);
+            }
+            if (!missed.empty())
+                m_errors.falseAccepts.push_back(fmt::format("{} (all points for {})", solution.title(), missed));
+        }
+
+        void gradeAccepted(const Solution& solution, uint64_t seed)
+        {
+            const std::size_t before = m_errors.falseRejects.size();
+            for (const Row& row : gradeOnce(solution, seed))
+                if (row.score < row.maxScore)
+                    m_errors.falseRejects.push_back({ solution.title(), seed, row.name, row.message });
+            ++m_errors.acceptedGradings;
+            m_errors.falselyRejectedGradings += m_errors.falseRejects.size() > before;
+        }
+
+        Assignment m_setting;
+        const OnProgress& m_onProgress;
+        std::size_t m_done = 0, m_total = 0;
+        GraderErrors m_errors;
+    };
+
+    std::vector<Solution> spread(const std::vector<Solution>& all, std::size_t wanted)
+    {
+        if (wanted >= all.size())
+            return all;
+        std::vector<Solution> some;
+        for (std::size_t i = 0; i < wanted; ++i)
+            some.push_back(all[i * all.size() / wanted]);
+        return some;
+    }
+
+}
+
+GraderErrors validate(
+    const Bank& bank, std::size_t acceptedGradings, const Assignment& setting, const OnProgress& onProgress)
+{
+    return Validation(setting, onProgress).run(bank, acceptedGradings);
+}
+
+Bank sampleOf(const Bank& bank, std::size_t wrong)
+{
+    return { spread(bank.wrong, wrong), spread(bank.accepted, wrong / 2) };
+}
+
+}
