@@ -22,15 +22,21 @@ namespace {
         return *string;
     }
 
-    // Replaces the only place where `from` stands.
-    void replace(files::TableReader& table, const files::TomlValue& pair, const std::string& file, std::string& text)
+    struct Replacement {
+        std::size_t at, length;
+        std::string to;
+        int line;
+    };
+
+    // At the only place of the text where `from` stands.
+    Replacement replacementOf(
+        const files::TableReader& table, const files::TomlValue& pair, const std::string& file, const std::string& text)
     {
         constexpr std::string_view expected = "a pair of strings ['from', 'to']";
         const auto& both = table.arrayOf(pair, expected);
         if (both.size() != 2)
             table.failFound(pair, expected);
         const std::string& from = stringOf(table, both[0], expected);
-        const std::string& to = stringOf(table, both[1], expected);
         int count = 0;
         std::size_t place = 0;
         for (std::size_t at = 0; !from.empty() && (at = text.find(from, at)) != std::string::npos; at += from.size())
@@ -38,7 +44,25 @@ namespace {
         if (count != 1)
             table.fail(pair.line,
                 fmt::format("found \"{}\" {} times in reference/{}.cpp, expected it once", from, count, file));
-        text.replace(place, from.size(), to);
+        return { place, from.size(), stringOf(table, both[1], expected), pair.line };
+    }
+
+    // All at once, so that two places can swap what stands there.
+    std::string replaced(
+        const files::TableReader& table, const files::TomlValue& pairs, const std::string& file, std::string text)
+    {
+        std::vector<Replacement> replacements;
+        for (const files::TomlValue& pair : table.arrayOf(pairs, "an array of pairs ['from', 'to']"))
+            replacements.push_back(replacementOf(table, pair, file, text));
+        std::ranges::sort(replacements, std::greater {}, &Replacement::at); // from the back: places stay where they are
+        std::size_t end = text.size();
+        for (const Replacement& replacement : replacements) {
+            if (replacement.at + replacement.length > end)
+                table.fail(replacement.line, "found text that another pair replaces too, expected pairs apart");
+            text.replace(replacement.at, replacement.length, replacement.to);
+            end = replacement.at;
+        }
+        return text;
     }
 
     std::string textOf(files::TableReader& table, const std::string& file)
@@ -55,9 +79,7 @@ namespace {
             return files::readText(path);
         }
         const std::string original = files::readText(referenceSource(file));
-        std::string text = original;
-        for (const files::TomlValue& pair : table.arrayOf(*replacements, "an array of pairs ['from', 'to']"))
-            replace(table, pair, file, text);
+        const std::string text = replaced(table, *replacements, file, original);
         if (text == original)
             table.fail(replacements->line, "found no change, expected one");
         return text;

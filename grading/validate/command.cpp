@@ -1,5 +1,6 @@
 #include "grading/validate/command.h"
 #include "grading/validate/report.h"
+#include "grading/validate/sample.h"
 #include "submission/features.h"
 #include <algorithm>
 

@@ -32,9 +32,9 @@ namespace {
 
         [[nodiscard]] std::vector<GradedMutant> run(const fs::path& survivors)
         {
+            explain(survivors);
             if (losesPoints(m_original))
                 throw std::runtime_error("reference/" + m_file + ".cpp itself loses points");
-            explain(survivors);
             compile();
             gradeRest();
             return m_mutants;
@@ -127,11 +127,11 @@ namespace {
             });
         }
 
-        // What a thread writes is not in the way of another's.
+        // What a thread writes is not in the way of another's. Outside of parallel loops the index is negative.
         [[nodiscard]] static fs::path folderOfThread(const std::string& name)
         {
-            return validationFolder() / "mutants"
-                / fmt::format("{}-{}", name, tbb::this_task_arena::current_thread_index());
+            const int thread = std::max(tbb::this_task_arena::current_thread_index(), 0);
+            return validationFolder() / "mutants" / fmt::format("{}-{}", name, thread);
         }
 
         std::string m_file;

@@ -30,8 +30,4 @@ struct GraderErrors {
 [[nodiscard]] GraderErrors validate(
     const Bank& bank, std::size_t acceptedGradings, const Assignment& setting, const OnProgress& onProgress);
 
-// `wrong` of the wrong solutions and half as many of the accepted ones, spread evenly over the bank: number
-// floor(i * all / wanted) for i = 0, 1, ... All where there are fewer.
-[[nodiscard]] Bank sampleOf(const Bank& bank, std::size_t wrong);
-
 }
