@@ -70,7 +70,7 @@ TEST_CASE("Every kind of mistake of the grader is told by name", "[validation]")
     CHECK_THAT(validated.printed, Catch::Contains("  recursive: harmless (all points for reflection)\n"));
     CHECK_THAT(validated.printed, Catch::Contains("1 of 1 gradings of 1 right solutions"));
     CHECK_THAT(validated.printed, Catch::Contains("  texture: half a texel off, seed 5: texture.bilinear."));
-    CHECK_THAT(validated.printed, Catch::Contains("1 of 13 right features")); // 8 - 1 of each wrong solution
+    CHECK_THAT(validated.printed, Catch::Contains("1 of 14 right features")); // 8 - 1 of each wrong solution
     CHECK_THAT(validated.printed, Catch::Contains("  recursive: both rays moved, seed 5: transparency."));
 }
 
