@@ -4,6 +4,7 @@
 #include "files/text.h"
 #include "grading/feature.h"
 #include "grading/validate/folder.h"
+#include "grading/validate/replacement.h"
 #include "submission/features.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,58 +13,6 @@ namespace grading {
 namespace {
 
     namespace fs = std::filesystem;
-
-    const std::string& stringOf(
-        const files::TableReader& table, const files::TomlValue& value, std::string_view expected)
-    {
-        const std::string* string = std::get_if<std::string>(&value.content);
-        if (string == nullptr)
-            table.failFound(value, expected);
-        return *string;
-    }
-
-    struct Replacement {
-        std::size_t at, length;
-        std::string to;
-        int line;
-    };
-
-    // At the only place of the text where `from` stands.
-    Replacement replacementOf(
-        const files::TableReader& table, const files::TomlValue& pair, const std::string& file, const std::string& text)
-    {
-        constexpr std::string_view expected = "a pair of strings ['from', 'to']";
-        const auto& both = table.arrayOf(pair, expected);
-        if (both.size() != 2)
-            table.failFound(pair, expected);
-        const std::string& from = stringOf(table, both[0], expected);
-        int count = 0;
-        std::size_t place = 0;
-        for (std::size_t at = 0; !from.empty() && (at = text.find(from, at)) != std::string::npos; at += from.size())
-            place = at, ++count;
-        if (count != 1)
-            table.fail(pair.line,
-                fmt::format("found \"{}\" {} times in reference/{}.cpp, expected it once", from, count, file));
-        return { place, from.size(), stringOf(table, both[1], expected), pair.line };
-    }
-
-    // All at once, so that two places can swap what stands there.
-    std::string replaced(
-        const files::TableReader& table, const files::TomlValue& pairs, const std::string& file, std::string text)
-    {
-        std::vector<Replacement> replacements;
-        for (const files::TomlValue& pair : table.arrayOf(pairs, "an array of pairs ['from', 'to']"))
-            replacements.push_back(replacementOf(table, pair, file, text));
-        std::ranges::sort(replacements, std::greater {}, &Replacement::at); // from the back: places stay where they are
-        std::size_t end = text.size();
-        for (const Replacement& replacement : replacements) {
-            if (replacement.at + replacement.length > end)
-                table.fail(replacement.line, "found text that another pair replaces too, expected pairs apart");
-            text.replace(replacement.at, replacement.length, replacement.to);
-            end = replacement.at;
-        }
-        return text;
-    }
 
     std::string textOf(files::TableReader& table, const std::string& file)
     {
@@ -92,10 +41,11 @@ namespace {
         if (!value)
             table.fail(table.line(), "found no costs, expected the features that lose points");
         for (const files::TomlValue& element : table.arrayOf(*value, "an array of features")) {
-            const std::string& feature = stringOf(table, element, "a feature");
-            if (std::ranges::find(gradedFeatures, feature, &Feature::name) == gradedFeatures.end())
+            const std::string* feature = std::get_if<std::string>(&element.content);
+            if (feature == nullptr
+                || std::ranges::find(gradedFeatures, *feature, &Feature::name) == gradedFeatures.end())
                 table.failFound(element, "a feature that is graded");
-            costs.insert(feature);
+            costs.insert(*feature);
         }
         if (costs.empty())
             table.failFound(*value, "at least one feature");

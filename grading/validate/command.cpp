@@ -1,7 +1,9 @@
 #include "grading/validate/command.h"
+#include "grading/validate/folder.h"
 #include "grading/validate/report.h"
 #include "grading/validate/sample.h"
 #include "submission/features.h"
+#include "submission/folder_lock.h"
 #include <algorithm>
 
 namespace grading {
@@ -34,6 +36,8 @@ namespace {
 
 bool runValidation(const ValidationOptions& options, const Assignment& setting, const OnProgress& onProgress)
 {
+    std::filesystem::create_directories(validationFolder());
+    const submission::FolderLock lock { validationFolder() }; // another validation writes to the same folders
     const bool right = !options.validate || validateBank(options, setting, onProgress);
     return (!options.mutate || mutateReference(options, setting, onProgress)) && right;
 }
