@@ -37,7 +37,8 @@ namespace {
 bool runValidation(const ValidationOptions& options, const Assignment& setting, const OnProgress& onProgress)
 {
     std::filesystem::create_directories(validationFolder());
-    const submission::FolderLock lock { validationFolder() }; // another validation writes to the same folders
+    onProgress("waiting for another validation to end"); // which writes to the same folders
+    const submission::FolderLock lock { validationFolder() };
     const bool right = !options.validate || validateBank(options, setting, onProgress);
     return (!options.mutate || mutateReference(options, setting, onProgress)) && right;
 }
