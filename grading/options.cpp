@@ -78,6 +78,7 @@ std::optional<int> parse(int argc, char** argv, Options& options)
     declareOutputs(cli, options.outputs);
     const CLI::Option* const mutants = declareValidation(cli, options.validation);
     cli.callback([&options, mutants] {
+        options.validation.seed = options.seed;
         options.validation.mutate = mutants->count() > 0;
         std::erase(options.validation.mutatedFiles, ""); // which stands for no value at all
         if (options.submission.empty() && options.record.empty() && !options.validation.wanted())

@@ -4,15 +4,25 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <random>
+#include <string_view>
 
 namespace grading {
 
-// The random inputs of a check.
+// The random inputs of a check or a test.
 class Random {
 public:
     explicit Random(uint64_t seed)
         : m_engine(seed)
     {
+    }
+
+    // Others for each name.
+    Random(uint64_t seed, std::string_view name)
+    {
+        uint64_t hash = 0xcbf29ce484222325u ^ seed; // FNV-1a
+        for (const char c : name)
+            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+        m_engine.seed(hash);
     }
 
     // Uniform in [lower, upper).

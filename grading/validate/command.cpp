@@ -14,7 +14,7 @@ namespace {
         Bank bank = loadBank(options.bank);
         if (options.sample > 0)
             bank = sampleOf(bank, options.sample);
-        const GraderErrors errors = validate(bank, options.gradings, expected, onProgress);
+        const GraderErrors errors = validate(bank, options.gradings, options.seed, expected, onProgress);
         onProgress("");
         printErrors(errors);
         return errors.none();

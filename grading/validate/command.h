@@ -10,6 +10,7 @@ namespace grading {
 // ./raywork grade --validate and --mutants
 struct ValidationOptions {
     bool validate = false;
+    uint64_t seed = 1; // of the wrong solutions, and the first of the accepted ones
     std::size_t gradings = 1000; // of accepted solutions, in all
     std::size_t sample = 0; // of the wrong solutions; 0: all
     bool mutate = false;

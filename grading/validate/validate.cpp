@@ -8,8 +8,9 @@ namespace {
 
     class Validation {
     public:
-        Validation(std::shared_ptr<ExpectedAnswers> expected, const OnProgress& onProgress)
-            : m_expected(std::move(expected))
+        Validation(uint64_t firstSeed, std::shared_ptr<ExpectedAnswers> expected, const OnProgress& onProgress)
+            : m_firstSeed(firstSeed)
+            , m_expected(std::move(expected))
             , m_onProgress(onProgress)
         {
         }
@@ -25,7 +26,7 @@ namespace {
                 gradeWrong(solution);
             for (const Solution& solution : bank.accepted)
                 for (std::size_t i = 0; i < seeds; ++i)
-                    gradeAccepted(solution, firstSeed + i);
+                    gradeAccepted(solution, m_firstSeed + i);
             return m_errors;
         }
 
@@ -40,12 +41,12 @@ namespace {
         void gradeWrong(const Solution& solution)
         {
             std::set<std::string> failed;
-            for (const Row& row : gradeOnce(solution, firstSeed)) {
+            for (const Row& row : gradeOnce(solution, m_firstSeed)) {
                 if (row.score >= row.maxScore)
                     continue;
                 failed.insert(row.feature);
                 if (!solution.costs.contains(row.feature))
-                    m_errors.takenElsewhere.push_back({ solution.title(), firstSeed, row.name, row.message });
+                    m_errors.takenElsewhere.push_back({ solution.title(), m_firstSeed, row.name, row.message });
             }
             std::string missed;
             for (const Feature& feature : gradedFeatures) {
@@ -69,7 +70,7 @@ namespace {
             m_errors.falselyRejectedGradings += m_errors.falseRejects.size() > before;
         }
 
-        static constexpr uint64_t firstSeed = 1;
+        uint64_t m_firstSeed;
         std::shared_ptr<ExpectedAnswers> m_expected;
         std::filesystem::path m_folder = validationFolder() / "solution";
         const OnProgress& m_onProgress;
@@ -79,10 +80,10 @@ namespace {
 
 }
 
-GraderErrors validate(const Bank& bank, std::size_t acceptedGradings, const std::shared_ptr<ExpectedAnswers>& expected,
-    const OnProgress& onProgress)
+GraderErrors validate(const Bank& bank, std::size_t acceptedGradings, uint64_t firstSeed,
+    const std::shared_ptr<ExpectedAnswers>& expected, const OnProgress& onProgress)
 {
-    return Validation(expected, onProgress).run(bank, acceptedGradings);
+    return Validation(firstSeed, expected, onProgress).run(bank, acceptedGradings);
 }
 
 }

@@ -24,9 +24,9 @@ struct GraderErrors {
     [[nodiscard]] bool none() const { return falseAccepts.empty() && falseRejects.empty() && takenElsewhere.empty(); }
 };
 
-// Grades every wrong solution once, and the accepted ones with as many seeds, counted from 1, as it takes for so many
-// gradings; each of them the same number of times, rounded up. Throws what grade() does.
-[[nodiscard]] GraderErrors validate(const Bank& bank, std::size_t acceptedGradings,
+// Grades every wrong solution once, and the accepted ones with as many seeds, counted from the first, as it takes for
+// so many gradings; each of them the same number of times, rounded up. Throws what grade() does.
+[[nodiscard]] GraderErrors validate(const Bank& bank, std::size_t acceptedGradings, uint64_t firstSeed,
     const std::shared_ptr<ExpectedAnswers>& expected, const OnProgress& onProgress);
 
 }

@@ -77,8 +77,9 @@ TEST_CASE("The files of the first edition compile, link and are graded unchanged
     CHECK(graded.exitCode == 0);
     for (const auto& check : graded.json.at("checks"))
         CHECK(check.at("status") != "refused");
-    for (const std::string feature : { "reflection", "transparency", "texture", "light", "multisampling" })
+    for (const std::string feature : { "reflection", "transparency", "light", "multisampling" })
         CHECK(graded.lost(feature) == 0.0);
+    CHECK(graded.lost("texture") <= 0.5); // its index of a texel is a float, which is too small for large images
 }
 
 #ifdef RAYWORK_RENDER

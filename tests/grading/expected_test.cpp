@@ -3,7 +3,9 @@
 #include "grading/golden_file.h"
 #include "grading/live_reference.h"
 #include "grading/sealed_file.h"
+#include "submission/digest.h"
 #include "submission/paths.h"
+#include "submission/prune.h"
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -36,6 +38,7 @@ public:
     {
         return messageOf(probe + " of " + textOf(input));
     }
+    std::string version() const override { return "echo"; }
 };
 
 void changeLastByte(const fs::path& file)
@@ -138,9 +141,9 @@ fs::path deadWorker(const TemporaryFolder& folder)
 // Puts into the folder what the worker would have answered.
 void keepAnswer(const TemporaryFolder& folder, const Message& question, const std::string& answer)
 {
-    Message versioned;
-    versioned << grading::hashOfFile(folder / "worker") << grading::keyOf(probe, question);
-    grading::writeSealed(folder / ("answers/" + grading::toHex(grading::hashOf(versioned.bytes()))), messageOf(answer));
+    const std::string version = submission::Digest().addFile(folder / "worker").hex();
+    const std::string name = submission::Digest().add(version).add(grading::keyOf(probe, question)).hex();
+    grading::writeSealed(folder / ("answers/" + name), messageOf(answer));
 }
 
 }
@@ -167,19 +170,22 @@ TEST_CASE("A live reference does not ask again what it knows", "[expected]")
     }
 }
 
-TEST_CASE("The oldest answers go when there are too many", "[expected]")
+TEST_CASE("Where too much is kept, what was not used for longest goes", "[expected]")
 {
     const TemporaryFolder folder;
-    fs::create_directories(folder / "answers");
     const auto now = fs::file_time_type::clock::now();
-    for (int age = 0; age < 5; ++age) { // hours; files of 30 MB that take no room
-        const fs::path file = folder.write("answers/" + std::to_string(age), "");
-        fs::resize_file(file, 30'000'000);
-        fs::last_write_time(file, now - std::chrono::hours(age));
+    for (int age = 0; age < 6; ++age) { // hours
+        const fs::path file = folder.write("kept/" + std::to_string(age), "");
+        fs::last_write_time(file, now - std::chrono::hours(age + 1));
     }
-    grading::LiveReference reference { deadWorker(folder), folder / "answers" };
-    for (int age = 0; age < 5; ++age)
-        CHECK(fs::exists(folder / ("answers/" + std::to_string(age))) == (age < 3));
+    submission::noteUse(folder / "kept/5");
+    const auto limit = GENERATE(std::size_t(6), std::size_t(5), std::size_t(4));
+    submission::prune(folder / "kept", limit);
+    for (int age = 0; age < 6; ++age) {
+        const int rank = (age + 1) % 6; // by last use
+        const std::size_t left = limit == 6 ? 6 : limit / 2;
+        CHECK(fs::exists(folder / ("kept/" + std::to_string(age))) == (static_cast<std::size_t>(rank) < left));
+    }
 }
 
 TEST_CASE("Graders at work at once get whole answers", "[expected]")

@@ -149,8 +149,8 @@ TEST_CASE("The page of a grade tells a student what was lost, and shows the pict
     SECTION("The values under the mouse are those of the pixel, and the arrow keys go to the next")
     {
         browser.open(page.path);
-        // The middle of pixel (48, 40) of 96 x 96.
-        browser.hover(placeOn(browser, ".difference", 48.5 / 96.0, 1.0 - 40.5 / 96.0));
+        // The middle of pixel (48, 40) of 64 x 64.
+        browser.hover(placeOn(browser, ".difference", 48.5 / 64.0, 1.0 - 40.5 / 64.0));
         const auto expectShown = [&](int x, int y) {
             CHECK(browser.evaluate(inViewer("return picture.querySelector('caption').textContent"))
                 == fmt::format("Pixel ({}, {}) from the bottom left", x, y));
@@ -158,7 +158,7 @@ TEST_CASE("The page of a grade tells a student what was lost, and shows the pict
                 return browser.evaluate(fmt::format(
                     "(() => {{ const all = grade.features.flatMap((feature) => feature.checks).find((check) => "
                     "check.pictures && check.status === 'wrong').pictures;"
-                    "return [...decode(all.{}).slice(3 * ({} * 96 + {})).slice(0, 3)] }})()",
+                    "return [...decode(all.{}).slice(3 * ({} * 64 + {})).slice(0, 3)] }})()",
                     picture, y, x));
             };
             const std::vector<double> expected = floats("expected"), came = floats("came");

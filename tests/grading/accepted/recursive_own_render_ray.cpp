@@ -1,8 +1,8 @@
-#include "recursive.h"
 #include "bvh_interface.h"
 #include "draw.h"
 #include "extra.h"
 #include "light.h"
+#include "recursive.h"
 
 // A file as the course has them: renderRay stands in it.
 glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)

@@ -1,6 +1,6 @@
-#include "render.h"
 #include "bvh_interface.h"
 #include "recursive.h"
+#include "render.h"
 #include "screen.h"
 #include <framework/trackball.h>
 #ifdef NDEBUG
