@@ -66,11 +66,12 @@ bool isAnyoneLeft()
     return ended == 0;
 }
 
-void expectHarmless(const fs::path& folder, const std::string& feature, const std::string& status)
+void expectHarmless(const fs::path& folder, const std::string& feature, const std::string& status,
+    const std::string& options = "--sandbox required")
 {
     REQUIRE(prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);
     const std::string before = digestOfGrader();
-    const Graded graded = grade(folder, "--sandbox required");
+    const Graded graded = grade(folder, options);
     INFO(graded.printed);
     CHECK(graded.exitCode == 0);
     CHECK_FALSE(isAnyoneLeft());
@@ -105,6 +106,36 @@ TEST_CASE("An attack scores nothing and leaves nothing behind", "[.attack]")
     const Attack attack = readAttack(name);
     expectHarmless(
         copyOfReference(attack.file, [&](const std::string&) { return attack.text; }), attack.file, attack.status);
+}
+
+TEST_CASE("Without Bubblewrap, processes are still neither started nor killed, and nothing is endless", "[grading]")
+{
+    const std::string name = GENERATE("fork_bomb", "detached_grandchild", "killed_parent", "network", "endless_loop",
+        "endless_output", "much_memory");
+    const Attack attack = readAttack(name);
+    INFO(name);
+    expectHarmless(copyOfReference(attack.file, [&](const std::string&) { return attack.text; }), attack.file,
+        attack.status, "--sandbox off");
+}
+
+TEST_CASE("A grade says whether the submission was locked in, or is refused", "[grading]")
+{
+    const fs::path folder = source / "reference";
+    const std::string nowhere = "PATH=/nowhere ";
+    const Graded grudging = grade(folder, "--only texture", nowhere);
+    INFO(grudging.printed);
+    CHECK(grudging.exitCode == 0);
+    CHECK_THAT(grudging.printed, Catch::Contains("not sandboxed: bubblewrap is not installed"));
+    CHECK(grudging.json.at("sandbox") == "none: bubblewrap is not installed");
+    CHECK(grudging.json.at("score") == 10);
+
+    const Graded refused = grade(folder, "--only texture --sandbox required", nowhere);
+    INFO(refused.printed);
+    CHECK(refused.exitCode == 75);
+    CHECK(refused.printed == "the grader failed: --sandbox required: bubblewrap is not installed\n");
+    CHECK(refused.json.is_null());
+
+    CHECK(grade(folder, "--only texture --sandbox required").json.at("sandbox") == "bubblewrap");
 }
 
 TEST_CASE("A link to the solution is refused", "[grading]")

@@ -45,13 +45,13 @@ int Graded::count(const std::string& feature, const std::string& status) const
     return count;
 }
 
-Graded grade(const fs::path& folder, const std::string& options)
+Graded grade(const fs::path& folder, const std::string& options, const std::string& environment)
 {
     const fs::path json = workFolder() / "grade.json";
     const fs::path printed = workFolder() / "printed.txt";
     fs::remove(json);
-    const std::string command = std::string(submission::buildDirectory) + "/grading/raywork-grade '" + folder.string()
-        + "' --json '" + json.string() + "' " + options + " > '" + printed.string() + "' 2>&1";
+    const std::string command = environment + std::string(submission::buildDirectory) + "/grading/raywork-grade '"
+        + folder.string() + "' --json '" + json.string() + "' " + options + " > '" + printed.string() + "' 2>&1";
     Graded graded;
     graded.exitCode = WEXITSTATUS(std::system(command.c_str()));
     graded.printed = read(printed);

@@ -18,8 +18,9 @@ struct Graded {
     [[nodiscard]] int count(const std::string& feature, const std::string& status) const;
 };
 
-// Grades a folder as a teacher would, by the program.
-[[nodiscard]] Graded grade(const std::filesystem::path& folder, const std::string& options = "");
+// Grades a folder as a teacher would, by the program. environment: NAME=value and a blank.
+[[nodiscard]] Graded grade(
+    const std::filesystem::path& folder, const std::string& options = "", const std::string& environment = "");
 
 // A copy of the reference, with one file changed. All copies share a folder, so that only the changed file is compiled
 // again.

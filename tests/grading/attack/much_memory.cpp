@@ -3,8 +3,10 @@
 
 static glm::vec3 attack()
 {
-    std::vector<std::vector<char>> taken;
-    while (taken.size() < 100)
-        taken.emplace_back(std::size_t(1) << 30, 'x');
+    std::vector<char*> taken;
+    while (taken.size() < 100) {
+        taken.push_back(new char[std::size_t(1) << 30]);
+        taken.back()[0] = 'x';
+    }
     return glm::vec3(static_cast<float>(taken[99][0]));
 }

@@ -1,0 +1,110 @@
+#include "graded.h"
+#include "submission/paths.h"
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <fstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// What is known from an earlier grading is not asked again, and that changes no grade.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path build { submission::buildDirectory };
+
+std::string wrongWeight(const std::string& text)
+{
+    return replaced(text, "    return image.get_pixel(j * image.width + i);",
+        "    return 0.9f * image.get_pixel(j * image.width + i);");
+}
+
+fs::path changedTexture()
+{
+    return copyOfReference("texture", wrongWeight);
+}
+
+// So that what is known comes from this build and these files alone.
+void forgetRows()
+{
+    fs::remove_all(build / "grading" / "rows");
+}
+
+std::size_t numRows()
+{
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& row : fs::directory_iterator(build / "grading" / "rows"))
+        ++count;
+    return count;
+}
+
+}
+
+TEST_CASE(
+    "After a change of one file, only its checks are repeated, and the grade is that of a fresh grading", "[grading]")
+{
+    forgetRows();
+    const Graded before = grade(copyOfReference("", nullptr));
+    const std::size_t all = numRows();
+    CHECK(before.json.at("score") == 100);
+    CHECK(all == before.json.at("checks").size());
+
+    const fs::path folder = changedTexture();
+    const Graded after = grade(folder);
+    INFO(after.printed);
+    CHECK(numRows()
+        == all + static_cast<std::size_t>(after.count("texture", "passed") + after.count("texture", "wrong")));
+    CHECK(after.lost("texture") > 0.0);
+    CHECK(after.lostElsewhere("texture") == 0.0);
+
+    const Graded fresh = grade(folder, "--fresh");
+    CHECK(fresh.json.at("checks") == after.json.at("checks"));
+    CHECK(grade(folder).json.at("checks") == after.json.at("checks"));
+}
+
+TEST_CASE("A row that is not whole is asked for again", "[grading]")
+{
+    forgetRows();
+    const Graded before = grade(changedTexture(), "--only texture");
+    for (const auto& row : fs::directory_iterator(build / "grading" / "rows"))
+        fs::resize_file(row, fs::file_size(row) / 2);
+    CHECK(grade(changedTexture(), "--only texture").json.at("checks") == before.json.at("checks"));
+}
+
+TEST_CASE("A folder that is watched is graded again at each change", "[grading]")
+{
+    const fs::path folder = copyOfReference("", nullptr);
+    const fs::path json = build / "tests" / "watched.json";
+    fs::remove(json);
+    const pid_t watcher = fork();
+    if (watcher == 0) {
+        if (!std::freopen("/dev/null", "w", stdout))
+            _exit(126);
+        const std::string program = build / "grading" / "raywork-grade";
+        execl(program.c_str(), program.c_str(), folder.c_str(), "--only", "texture", "--watch", "--json", json.c_str(),
+            nullptr);
+        _exit(127);
+    }
+    // A file appears whole, so whatever is read is a grade.
+    const auto waitForScore = [&](bool isFull) {
+        for (;;) {
+            std::ifstream file(json);
+            const auto grade = file ? nlohmann::json::parse(file) : nlohmann::json();
+            if (grade.is_object() && grade.at("complete") == true && (grade.at("score") == 10.0) == isFull)
+                return;
+        }
+    };
+    waitForScore(true);
+    const fs::path texture = folder / "texture.cpp";
+    std::ifstream file(texture);
+    const std::string right { std::istreambuf_iterator<char>(file), {} };
+    std::ofstream(texture) << wrongWeight(right);
+    waitForScore(false);
+    std::ofstream(texture) << right;
+    waitForScore(true);
+    kill(watcher, SIGTERM);
+    int status = 0;
+    waitpid(watcher, &status, 0);
+    CHECK(WIFEXITED(status));
+}
