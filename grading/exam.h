@@ -26,11 +26,13 @@ public:
 };
 
 // How long a submission may take for an answer. An endless loop is met by many checks, and a teacher has three hundred
-// folders: a probe that was not answered in time is not asked again, and after the first of them there is less
-// patience.
+// folders: a probe that was not answered in time is not asked again, after the first of them there is less patience,
+// and there is an end to it in all.
 struct Patience {
     std::set<std::string> slowProbes;
+    worker::Clock::duration spent {}; // on all answers so far
 
+    // For the next answer; none is waited for when this is 0.
     [[nodiscard]] std::chrono::milliseconds left() const;
 };
 
@@ -64,11 +66,6 @@ public:
     [[nodiscard]] bool wantsAllAnswers() const { return m_expected.wantsAll(); }
 
 private:
-    struct Side {
-        std::filesystem::path program;
-        std::unique_ptr<worker::Process> process;
-    };
-
     template <typename Result, typename Run, typename... Inputs>
     Result get(const Run& runProbe, const Inputs&... inputs)
     {
@@ -79,11 +76,11 @@ private:
         return reader.read<Result>();
     }
 
-    worker::Message run(
-        Side& side, const std::string& probe, const worker::Message& message, std::chrono::milliseconds timeout);
     worker::Message runSubmission(const std::string& probe, const worker::Message& message);
+    worker::Answer askInTime(const std::string& probe, const worker::Message& message);
 
-    Side m_submission;
+    std::filesystem::path m_program;
+    std::unique_ptr<worker::Process> m_process;
     ExpectedAnswers& m_expected;
     Patience& m_patience;
 };

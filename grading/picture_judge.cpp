@@ -86,6 +86,13 @@ namespace {
         Difference difference;
         double allowed = 0.0, found = 0.0;
 
+        // Noise in which a wrong picture could hide. A right solution may draw its random numbers otherwise, share them
+        // over a row, say: then a tile's mean varies up to eight times as much.
+        [[nodiscard]] bool isTooNoisy() const
+        {
+            constexpr double most = 10.0;
+            return deviationOfMean(came) > most * deviationOfMean(expected) + allowed;
+        }
         [[nodiscard]] double size() const { return std::abs(difference.value) / allowed; }
         [[nodiscard]] bool isSame() const
         {
@@ -133,7 +140,16 @@ namespace {
                         add(*comparison, share);
         }
 
-        [[nodiscard]] Judgement judgement() const { return m_judgement; }
+        [[nodiscard]] Judgement judgement() const
+        {
+            if (m_judgement.outcome == Outcome::Different || !m_noisy)
+                return m_judgement;
+            Judgement noisy = different(fmt::format("{}, give or take {:.3g}", describe(*m_noisy, m_expected.size),
+                                            deviationOfMean(m_noisy->came)),
+                fmt::format("{:.4f}, give or take {:.3g}", m_noisy->expected.mean, deviationOfMean(m_noisy->expected)));
+            noisy.worst = m_noisy->tile.centre();
+            return noisy;
+        }
 
     private:
         void add(const Comparison& c, double share)
@@ -142,6 +158,8 @@ namespace {
                 m_worst = c.size();
                 m_judgement.worst = c.tile.centre();
             }
+            if (c.isTooNoisy())
+                m_noisy = c;
             const bool isDifferent = chanceOf(c.difference, c.allowed) < share;
             if (!isDifferent && !c.isSame() && m_judgement.outcome == Outcome::Same)
                 m_judgement.outcome = Outcome::Undecided;
@@ -156,6 +174,7 @@ namespace {
         const Replicates& m_came;
         const Replicates& m_expected;
         Judgement m_judgement;
+        std::optional<Comparison> m_noisy;
         double m_worst = 0.0; // in units of what is allowed
         double m_worstDifferent = 0.0;
     };

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <span>
 
 namespace grading {
@@ -12,6 +13,11 @@ struct Sample {
     // many near zero make it small, and then neither mean nor variance can be trusted.
     double effectiveSize = 0.0;
 };
+
+[[nodiscard]] inline double deviationOfMean(const Sample& sample)
+{
+    return std::sqrt(sample.variance / sample.size);
+}
 
 // Two values or more.
 [[nodiscard]] Sample summarize(std::span<const double> values);

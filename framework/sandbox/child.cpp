@@ -48,6 +48,7 @@ namespace {
     void setLimits(const Limits& limits)
     {
         limit(RLIMIT_CORE, 0, 0);
+        limit(RLIMIT_NOFILE, 256, 256); // each may hold memory that RLIMIT_AS does not see
         if (limits.memoryBytes)
             limit(RLIMIT_AS, *limits.memoryBytes, *limits.memoryBytes);
         if (limits.fileBytes) {
@@ -70,7 +71,8 @@ namespace {
         for (int i = Socket; i < First; ++i)
             if (from[static_cast<std::size_t>(i)] < 0)
                 close(i);
-        close_range(First, ~0u, 0);
+        if (close_range(First, ~0u, 0) != 0)
+            _exit(127);
     }
 
     // Between fork and exec: only calls that are safe there.
@@ -85,8 +87,9 @@ namespace {
         if (start.filter) {
             const sock_fprog program { static_cast<unsigned short>(start.filter->size()),
                 const_cast<sock_filter*>(start.filter->data()) };
-            prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-            prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
+            if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0
+                || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
+                _exit(127);
         }
         const char* const environment[] { "PATH=/usr/bin:/bin", "LC_ALL=C", nullptr };
         execve(start.words[0], const_cast<char* const*>(start.words.data()), const_cast<char* const*>(environment));
@@ -176,6 +179,10 @@ Child::Child(const Command& command)
     m_pid = launch(start);
     said = File(); // ours: what is left is the other side's
     m_first = openProcess(readFirst(info));
+    if (m_first < 0) { // nothing of the command ran
+        kill();
+        throw std::system_error(EAGAIN, std::generic_category(), "Bubblewrap");
+    }
 }
 
 Child::~Child()

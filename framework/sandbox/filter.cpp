@@ -1,6 +1,7 @@
 #include "sandbox/filter.h"
 #include <cerrno>
 #include <csignal>
+#include <fcntl.h>
 #include <linux/filter.h>
 #include <memory>
 #include <sched.h>
@@ -32,21 +33,25 @@ namespace {
 
     void refuseOthers(const Context& context)
     {
-        for (const int call : { SCMP_SYS(setsid), SCMP_SYS(setpgid), SCMP_SYS(socket), SCMP_SYS(ptrace),
-                 SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev), SCMP_SYS(kill), SCMP_SYS(tkill),
-                 SCMP_SYS(rt_sigqueueinfo), SCMP_SYS(rt_tgsigqueueinfo), SCMP_SYS(pidfd_open),
-                 SCMP_SYS(pidfd_send_signal), SCMP_SYS(unshare), SCMP_SYS(setns), SCMP_SYS(mount), SCMP_SYS(bpf),
-                 SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd), SCMP_SYS(io_uring_setup), SCMP_SYS(shmget),
-                 SCMP_SYS(msgget), SCMP_SYS(semget), SCMP_SYS(mq_open), SCMP_SYS(add_key), SCMP_SYS(keyctl) })
+        for (const int call :
+            { SCMP_SYS(setsid), SCMP_SYS(setpgid), SCMP_SYS(socket), SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv),
+                SCMP_SYS(process_vm_writev), SCMP_SYS(kill), SCMP_SYS(tkill), SCMP_SYS(rt_sigqueueinfo),
+                SCMP_SYS(rt_tgsigqueueinfo), SCMP_SYS(pidfd_open), SCMP_SYS(pidfd_send_signal), SCMP_SYS(unshare),
+                SCMP_SYS(setns), SCMP_SYS(mount), SCMP_SYS(bpf), SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd),
+                SCMP_SYS(io_uring_setup), SCMP_SYS(shmget), SCMP_SYS(msgget), SCMP_SYS(semget), SCMP_SYS(mq_open),
+                SCMP_SYS(add_key), SCMP_SYS(keyctl), SCMP_SYS(memfd_create), SCMP_SYS(socketpair) })
             refuse(context, EPERM, call);
         refuse(context, EPERM, SCMP_SYS(tgkill), SCMP_A2(SCMP_CMP_NE, SIGABRT)); // abort() signals itself
+        refuse(context, EPERM, SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_NE, 0)); // limits of another process
+        for (const unsigned command : { F_SETOWN, F_SETOWN_EX, F_SETSIG }) // signals by way of a socket
+            refuse(context, EPERM, SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, command));
     }
 
     std::vector<sock_filter> makeFilter()
     {
         const Context context(seccomp_init(SCMP_ACT_ALLOW), seccomp_release);
         if (!context)
-            return {};
+            throw std::system_error(ENOSYS, std::generic_category(), "a filter of system calls");
         refuseProcesses(context);
         refuseOthers(context);
         const int file = memfd_create("filter", MFD_CLOEXEC);

@@ -5,9 +5,20 @@
 
 namespace submission {
 
-// Runs a compiler or a linker in a folder, locked in: it sees the system, that folder, and what is listed. What it
-// prints goes to a file in that folder. Returns whether it came to an end, well or not, in a minute.
-bool runBuildStep(const std::vector<std::string>& words, const std::filesystem::path& folder, const std::string& log,
-    const std::vector<std::filesystem::path>& readable);
+struct BuildStep {
+    std::vector<std::string> words; // a compiler or a linker, and its arguments
+    std::filesystem::path folder; // where it runs, and all that it may write to
+    std::string log; // file in that folder for what it prints
+    std::vector<std::filesystem::path> readable; // beside the system and that folder
+};
+
+enum class StepEnd {
+    Succeeded,
+    Failed, // by itself: it would again
+    Stopped, // by a limit, or by a machine in trouble
+};
+
+// Runs the step locked in, for a minute at most.
+[[nodiscard]] StepEnd run(const BuildStep& step);
 
 }

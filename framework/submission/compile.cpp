@@ -22,17 +22,26 @@ namespace {
         return words;
     }
 
-    // In a folder: <stem>.cpp, <stem>.o, what the compiler said, what it read, and the names that it left open.
+    // In a folder: <stem>.cpp, <stem>.o, what the compiler said, what it read, and the names in the object. Returns
+    // whether the same would come out again.
     bool compileIn(const fs::path& folder, const std::string& stem, const std::string& text)
     {
         const Toolchain& toolchain = Toolchain::get();
         std::ofstream(folder / (stem + ".cpp"), std::ios::binary) << text;
-        const Words command
+        std::vector<fs::path> readable = interfaceHeaders();
+        readable.insert(readable.end(), toolchain.folders.begin(), toolchain.folders.end());
+        const Words words
             = with(toolchain.compile, { "-MD", "-MF", stem + ".d", "-c", stem + ".cpp", "-o", stem + ".o" });
-        if (!runBuildStep(command, folder, "compile.log", interfaceHeaders()))
-            return false;
-        return !fs::exists(folder / (stem + ".o"))
-            || runBuildStep(with(toolchain.symbols, { stem + ".o" }), folder, "symbols.log", {});
+        const StepEnd compiled = run({ words, folder, "compile.log", readable });
+        if (compiled != StepEnd::Succeeded) {
+            fs::remove(folder / (stem + ".o"));
+            return compiled == StepEnd::Failed;
+        }
+        const StepEnd listed
+            = run({ with(toolchain.symbols, { stem + ".o" }), folder, "symbols.log", toolchain.folders });
+        if (listed != StepEnd::Succeeded) // a list that is cut off hides names
+            fs::remove(folder / (stem + ".o"));
+        return listed != StepEnd::Stopped;
     }
 
     Part judge(const fs::path& folder, const std::string& stem)

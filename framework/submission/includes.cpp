@@ -34,7 +34,10 @@ std::string firstForeignInclude(const fs::path& folder, const std::string& depen
 {
     std::ifstream words(folder / dependencies);
     for (std::string word; words >> word;) {
-        const fs::path path = fs::weakly_canonical(folder / word);
+        std::error_code failed;
+        const fs::path path = fs::weakly_canonical(folder / word, failed);
+        if (failed) // a path that no honest file needs
+            return word.substr(0, 100);
         if (isBelow(path, sourceDirectory) && !isBelow(path, buildDirectory) && !isOfTheInterface(path))
             return path.lexically_relative(sourceDirectory).string();
     }

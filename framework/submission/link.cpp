@@ -20,7 +20,16 @@ static bool linkIn(const fs::path& folder, const std::vector<Object>& objects, c
         words.push_back(object.file.string());
     const std::vector<std::string> ours = toolchain.restOf(rest);
     words.insert(words.end(), ours.begin(), ours.end());
-    return runBuildStep(words, folder, "link.log", { buildDirectory });
+    std::vector<fs::path> readable = toolchain.folders;
+    for (const Object& object : objects)
+        readable.push_back(object.file);
+    for (const std::string& word : ours)
+        if (word.starts_with(buildDirectory))
+            readable.emplace_back(word);
+    const StepEnd end = run({ words, folder, "link.log", readable });
+    if (end != StepEnd::Succeeded)
+        fs::remove(folder / "worker");
+    return end != StepEnd::Stopped;
 }
 
 Program link(const std::vector<Object>& objects, const std::string& rest)

@@ -19,13 +19,15 @@ std::string compilerErrors(const std::string& log)
     for (std::string line; std::getline(lines, line) && count < maxLines;)
         if (count > 0 || holdsAny(line, { "error" }))
             errors += line + "\n", ++count;
-    return errors.empty() ? "took more than a minute, four gigabytes, or 64 MB of output to compile\n" : errors;
+    return errors.empty() ? "took more than a minute, four gigabytes, or 16 MB of output to compile\n" : errors;
 }
 
 std::string linkerErrors(const std::string& log)
 {
     const std::string errors = linesWith({ "undefined reference", "multiple definition" }, log);
-    return errors.empty() ? log.substr(0, 1000) : errors;
+    if (!errors.empty())
+        return errors;
+    return log.empty() ? "took more than a minute or four gigabytes to link\n" : log.substr(0, 1000);
 }
 
 std::string linesWith(std::initializer_list<const char*> words, const std::string& log)

@@ -1,5 +1,4 @@
 #pragma once
-#include <map>
 #include <string>
 
 namespace submission {
@@ -22,8 +21,5 @@ struct Part {
 {
     return { State::Refused, message, "" };
 }
-
-// By file name without ".cpp": a feature, or an extension such as "extra/bloom".
-using Parts = std::map<std::string, Part>;
 
 }

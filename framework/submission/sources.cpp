@@ -13,16 +13,23 @@ namespace {
 
     constexpr std::uintmax_t maxBytes = 1 << 20; // the largest file of a real submission has a tenth of that
 
-    // The files that the interface names, whether they are there or not.
+    constexpr std::size_t maxExtras = 32; // each may take a minute to compile
+
+    // The files that the interface names, whether they are there or not. What cannot be looked at is not there.
     std::vector<std::string> partNames(const fs::path& submission)
     {
-        std::vector<std::string> names = features;
-        if (fs::exists(submission / "extra.cpp"))
-            names.emplace_back("extra");
-        if (fs::is_directory(fs::symlink_status(submission / "extra")))
-            for (const fs::directory_entry& entry : fs::directory_iterator(submission / "extra"))
+        std::error_code hidden;
+        std::vector<std::string> extras;
+        if (fs::exists(fs::symlink_status(submission / "extra.cpp", hidden)))
+            extras.emplace_back("extra");
+        if (fs::is_directory(fs::symlink_status(submission / "extra", hidden)))
+            for (const fs::directory_entry& entry : fs::directory_iterator(submission / "extra", hidden))
                 if (entry.path().extension() == ".cpp")
-                    names.push_back("extra/" + entry.path().stem().string());
+                    extras.push_back("extra/" + entry.path().stem().string());
+        std::sort(extras.begin(), extras.end());
+        extras.resize(std::min(extras.size(), maxExtras));
+        std::vector<std::string> names = features;
+        names.insert(names.end(), extras.begin(), extras.end());
         return names;
     }
 
@@ -41,14 +48,19 @@ namespace {
     {
         if (!isPlainName(source.stem().string()))
             return refuse(source, "its name has characters other than letters, digits and _");
-        const fs::file_status status = fs::symlink_status(source);
+        std::error_code hidden;
+        const fs::file_status status = fs::symlink_status(source, hidden);
         if (!fs::exists(status))
             return {};
         if (!fs::is_regular_file(status))
             return refuse(source, "not a plain file");
-        if (fs::file_size(source) > maxBytes)
+        if (fs::file_size(source, hidden) > maxBytes) // also if there is no telling
             return refuse(source, "larger than a megabyte");
-        return { { State::Taken, "", "" }, files::readText(source) };
+        try {
+            return { { State::Taken, "", "" }, files::readText(source) };
+        } catch (const files::Error& error) {
+            return refuse(source, "cannot be read");
+        }
     }
 
 }

@@ -7,18 +7,27 @@
 
 namespace submission {
 
-static bool isOneOf(std::string_view name, std::initializer_list<std::string_view> spaces)
+// A namespace stands before a name, or within it, as in "vtable for a::B" or "void a::f<int>()".
+static bool mentions(std::string_view name, std::string_view space)
 {
-    return std::any_of(spaces.begin(), spaces.end(), [&](std::string_view space) { return name.starts_with(space); });
+    for (std::size_t at = 0; (at = name.find(space, at)) != name.npos; ++at)
+        if (at == 0 || std::string_view(" (<,*&").find(name[at - 1]) != std::string_view::npos)
+            return true;
+    return false;
+}
+
+static bool mentionsOneOf(std::string_view name, std::initializer_list<std::string_view> spaces)
+{
+    return std::any_of(spaces.begin(), spaces.end(), [&](std::string_view space) { return mentions(name, space); });
 }
 
 // The interface is global. A file may have namespaces of its own that happen to be called like ours, as long as it does
-// not take from ours; none may stand in for a part of the worker.
+// not take from ours; none may stand in for a part of the worker. kind: U, w or v is undefined.
 static bool isForeign(char kind, std::string_view name)
 {
-    const bool isTaken = kind == 'U';
-    return isOneOf(name, { "worker::", "grading::" })
-        || (isTaken && isOneOf(name, { "accel::", "app::", "debug::", "files::", "shapes::", "values::" }));
+    const bool isTaken = std::string_view("Uwv").find(kind) != std::string_view::npos;
+    return mentionsOneOf(name, { "worker::", "grading::" })
+        || (isTaken && mentionsOneOf(name, { "accel::", "app::", "debug::", "files::", "shapes::", "values::" }));
 }
 
 // A line is "address kind name"; what is undefined has no address.

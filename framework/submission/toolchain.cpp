@@ -3,7 +3,6 @@
 #include "sandbox/bubblewrap.h"
 #include "submission/digest.h"
 #include "submission/paths.h"
-#include <filesystem>
 #include <toml++/toml.h>
 
 namespace submission {
@@ -29,9 +28,31 @@ namespace {
         return found;
     }
 
+    bool isBelow(const fs::path& path, const fs::path& folder)
+    {
+        const fs::path relative = path.lexically_relative(folder);
+        return !relative.empty() && *relative.begin() != "..";
+    }
+
+    // Programs and libraries below /usr are seen anyway, and of the framework the interface alone.
+    std::vector<fs::path> foldersElsewhere(const std::vector<std::string>& compile)
+    {
+        std::vector<fs::path> folders { fs::canonical(compile.front()).parent_path().parent_path() };
+        for (const std::string& word : compile)
+            if (word.starts_with("-I"))
+                folders.emplace_back(word.substr(2));
+        std::erase_if(folders, [](const fs::path& folder) {
+            return isBelow(folder, "/usr") || folder == fs::path(sourceDirectory) / "framework" || !fs::exists(folder);
+        });
+        return folders;
+    }
+
     std::string digestOfOurs()
     {
         Digest digest;
+        const fs::path compiler = fs::canonical(words("compile").front());
+        digest.add(std::to_string(fs::file_size(compiler)));
+        digest.add(std::to_string(fs::last_write_time(compiler).time_since_epoch().count()));
         digest.addFile(fs::path(buildDirectory) / "rules.toml");
         digest.addFolder(fs::path(sourceDirectory) / "framework", ".h");
         for (const std::string& file : words("built"))
@@ -46,6 +67,7 @@ Toolchain::Toolchain()
     : compile(words("compile"))
     , link(words("link"))
     , symbols(words("symbols"))
+    , folders(foldersElsewhere(compile))
     , digest(digestOfOurs())
 {
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ public:
     std::vector<std::string> compile; // the compiler and its flags
     std::vector<std::string> link;
     std::vector<std::string> symbols; // prints the names in an object
+    std::vector<std::filesystem::path> folders; // of the compiler and of libraries that lie elsewhere than the system's
     // Changes with anything of ours that goes into an object or a program: flags, headers, archives.
     std::string digest;
 
