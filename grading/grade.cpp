@@ -2,12 +2,14 @@
 #include "grading/check.h"
 #include "grading/exam.h"
 #include "grading/feature.h"
+#include "grading/report.h"
 #include "grading/row_store.h"
 #include "grading/scene_folders.h"
 #include "submission/digest.h"
 #include "submission/submission.h"
 #include <algorithm>
 #include <fmt/format.h>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <tbb/parallel_for.h>
@@ -63,15 +65,17 @@ namespace {
         }
     }
 
-    // Words that a submission may have chosen: short, and nothing in them that a terminal obeys.
-    std::string harmless(std::string message)
+    // Words that a submission may have chosen: short, and nothing in them that a terminal or a reader's eye obeys.
+    std::string harmless(const std::string& message)
     {
         constexpr std::size_t longest = 4000;
-        message.resize(std::min(message.size(), longest));
-        for (char& c : message)
-            if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
+        std::string text = toUtf8(message.substr(0, longest));
+        for (char& c : text)
+            if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
                 c = '?';
-        return message;
+        // Control characters above ASCII, and those that turn the direction of writing.
+        static const std::regex obeyed("\xc2[\x80-\x9f]|\xe2\x80[\x8e\x8f\xaa-\xae]|\xe2\x81[\xa6-\xa9]");
+        return std::regex_replace(text, obeyed, "?");
     }
 
     // What a row depends on beside the submission: the checks, the answers that are expected, and the scenes.
@@ -161,7 +165,7 @@ namespace {
 std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow)
 {
     const std::vector<const Feature*> wanted = wantedFeatures(assignment.onlyFeature);
-    Grading grading { assignment, submission::Submission(assignment.submission), RowStore(!assignment.isFresh),
+    Grading grading { assignment, submission::Submission(assignment.submission), RowStore(assignment.knownRows),
         digestOfJudge(*assignment.expected) };
     grading.submission.buildFeatureWorkers(filesOf(wanted));
 

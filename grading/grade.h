@@ -14,7 +14,7 @@ struct Assignment {
     std::shared_ptr<ExpectedAnswers> expected;
     std::string onlyFeature; // empty: all
     Secret secret { 1 }; // what all random inputs follow from
-    bool isFresh = false; // repeats also the checks that cannot see what has changed since the last time
+    std::filesystem::path knownRows = {}; // folder of what need not be asked again; empty: nothing is known
 };
 
 // Builds the submission and runs all checks, features side by side. Calls onRow from any thread after each check; the

@@ -48,7 +48,10 @@ grading::Assignment assignmentOf(const Options& options)
     const grading::Secret secret = options.secretFile.empty()
         ? grading::Secret(options.seed)
         : grading::Secret(std::filesystem::path(options.secretFile));
-    return { options.submission, expectedAnswers(options), options.onlyFeature, secret, options.isFresh };
+    grading::Assignment assignment { options.submission, expectedAnswers(options), options.onlyFeature, secret };
+    if (!options.isFresh)
+        assignment.knownRows = std::filesystem::path(submission::buildDirectory) / "grading" / "rows";
+    return assignment;
 }
 
 void gradeOnce(const Options& options)
@@ -71,7 +74,7 @@ void record(const Options& options)
     const auto recorder = std::make_shared<grading::Recorder>(*assignment.expected);
     const auto source = std::exchange(assignment.expected, recorder);
     assignment.submission = std::filesystem::path(submission::sourceDirectory) / "reference";
-    assignment.isFresh = true; // a row that is known asks nothing
+    assignment.knownRows.clear(); // a row that is known asks nothing
     showProgress("compiling");
     const auto rows = grading::grade(assignment, [](const grading::Row& row) { showProgress(row.name); });
     showProgress("");
@@ -88,12 +91,10 @@ ExitCode run(const Options& options)
     if (options.validation.wanted())
         return grading::runValidation(options.validation, expectedAnswers(options), showProgress) ? Graded
                                                                                                   : GraderErred;
-    if (!options.record.empty())
-        record(options);
-    else if (options.isWatching)
-        grading::watch(options.submission, [&] { gradeOnce(options); });
-    else
+    if (options.record.empty())
         gradeOnce(options);
+    else
+        record(options);
     return Graded;
 }
 
@@ -119,5 +120,7 @@ int main(int argc, char** argv)
     Options options;
     if (const std::optional<int> exitCode = grading::parse(argc, argv, options))
         return *exitCode;
+    if (options.isWatching) // until the user interrupts it
+        grading::watch(options.submission, [&] { (void)runAndReport(options); });
     return grading::runSupervised([&] { return runAndReport(options); }, GraderFailed);
 }

@@ -16,6 +16,14 @@ GrowingGrade::GrowingGrade(const std::filesystem::path& submission, const Output
     , m_start(std::chrono::steady_clock::now())
     , m_grade { {}, nameOf(submission), 0.0, false, sandbox::whyNoBubblewrap() }
 {
+    // What an earlier grading left is not taken for this one's.
+    for (const std::string& file : { outputs.junit, outputs.gradescope, outputs.html }) {
+        std::error_code missing;
+        if (!file.empty())
+            std::filesystem::remove(file, missing);
+    }
+    if (!outputs.json.empty())
+        writeJson(outputs.json, m_grade);
 }
 
 void GrowingGrade::add(const Row& row)

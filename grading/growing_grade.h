@@ -12,6 +12,7 @@ namespace grading {
 // that.
 class GrowingGrade {
 public:
+    // Removes what an earlier grading wrote. Throws what writeJson() does.
     GrowingGrade(const std::filesystem::path& submission, const Outputs& outputs);
 
     // From any thread. Throws what writeJson() does.

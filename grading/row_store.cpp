@@ -1,6 +1,5 @@
 #include "grading/row_store.h"
 #include "grading/sealed_file.h"
-#include "submission/paths.h"
 #include "submission/prune.h"
 #include "worker/message.h"
 
@@ -37,10 +36,11 @@ namespace {
 
 }
 
-RowStore::RowStore(bool isWanted)
-    : m_isWanted(isWanted)
-    , m_folder(fs::path(submission::buildDirectory) / "grading" / "rows")
+RowStore::RowStore(fs::path folder)
+    : m_folder(std::move(folder))
 {
+    if (m_folder.empty())
+        return;
     fs::create_directories(m_folder);
     submission::prune(m_folder, maxRows);
 }
@@ -48,7 +48,7 @@ RowStore::RowStore(bool isWanted)
 std::optional<Row> RowStore::find(const std::string& key) const
 {
     const fs::path path = m_folder / key;
-    const std::optional<worker::Message> message = m_isWanted ? readSealed(path) : std::nullopt;
+    const std::optional<worker::Message> message = m_folder.empty() ? std::nullopt : readSealed(path);
     if (!message)
         return {};
     submission::noteUse(path);
@@ -57,7 +57,7 @@ std::optional<Row> RowStore::find(const std::string& key) const
 
 void RowStore::keep(const std::string& key, const Row& row) const
 {
-    if (m_isWanted && row.status != Status::Crashed && row.status != Status::TimedOut)
+    if (!m_folder.empty() && row.status != Status::Crashed && row.status != Status::TimedOut)
         writeSealed(m_folder / key, toMessage(row));
 }
 

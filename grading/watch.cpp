@@ -10,14 +10,16 @@ namespace {
 
     using Times = std::map<fs::path, fs::file_time_type>;
 
-    // Editors write in steps: a file may be gone for a moment.
+    // Of the sources alone: what a grading writes may lie there too. Editors write in steps: a file may be gone for a
+    // moment.
     Times timesOf(const fs::path& folder)
     {
         Times times;
         std::error_code gone;
         for (auto file = fs::recursive_directory_iterator(folder, gone); file != fs::recursive_directory_iterator();
              file.increment(gone))
-            times[file->path()] = fs::last_write_time(file->path(), gone);
+            if (file->path().extension() == ".cpp")
+                times[file->path()] = fs::last_write_time(file->path(), gone);
         return times;
     }
 

@@ -4,7 +4,7 @@
 
 namespace grading {
 
-// Calls onChange once and then again after each change of a file in the folder or below, for ever.
+// Calls onChange once and then again after each change of a source in the folder or below, for ever.
 [[noreturn]] void watch(const std::filesystem::path& folder, const std::function<void()>& onChange);
 
 }

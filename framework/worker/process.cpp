@@ -94,7 +94,8 @@ void Process::failAtEnd()
         throw Failure(Kind::Crashed, "closed its connection" + lastPrinted());
     if (end.signal == 0)
         throw Failure(Kind::Crashed, "ended by itself with exit code " + std::to_string(end.exitCode) + lastPrinted());
-    // The first is the limit on the processor's time, the second the end of those who ignore it.
+    // The first is the limit on the processor's time, the second the end of those who ignore it (or, seldom, of whoever
+    // is largest when a machine has no memory left).
     const bool isTimedOut = end.signal == SIGXCPU || end.signal == SIGKILL;
     const char* const name = sigdescr_np(end.signal);
     throw Failure(isTimedOut ? Kind::TimedOut : Kind::Crashed,

@@ -1,9 +1,9 @@
-// Probes that render a scene file.
+// The probe that renders a scene file.
 #include "accel/counting_bvh.h"
-#include "app/render_pixels.h"
 #include "bvh.h"
 #include "files/feature_settings.h"
 #include "files/scene_file.h"
+#include "render.h"
 #include "screen.h"
 #include "worker/probe.h"
 #include "worker/render_request.h"
@@ -55,9 +55,8 @@ namespace {
         return file;
     }
 
-    // render(scene, bvh, features, camera, screen)
-    template <typename Render> void answerWith(Call& call, const Render& render)
-    {
+    // The whole picture, by the submission's own renderImage where it has one.
+    const Probe image("render.image", [](Call& call) {
         const auto request = call.input.read<RenderRequest>();
         std::optional<tbb::global_control> threads;
         if (request.numThreads > 0)
@@ -72,23 +71,12 @@ namespace {
             reporter.emplace(screen, call.progress);
         const uint64_t raysBefore = accel::CountingBVH::numRays();
         const auto start = std::chrono::steady_clock::now();
-        render(scene, counting, config.features, makeTrackball(config), screen, request.seed);
+        renderImage(scene, counting, config.features, makeTrackball(config), screen);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         reporter.reset();
         const uint64_t numRays = accel::CountingBVH::numRays() - raysBefore;
         call.output << Rendering { config.size, std::move(screen.pixels()), elapsed.count(), numRays };
-    }
-
-    // The whole picture, by the submission's own renderImage where it has one.
-    const Probe image("render.image", [](Call& call) {
-        answerWith(call,
-            [](const auto& scene, const auto& bvh, const auto& features, const auto& camera, auto& screen, uint32_t) {
-                renderImage(scene, bvh, features, camera, screen);
-            });
     });
-
-    // Every pixel with random numbers that follow from the seed, whatever the submission's renderImage does.
-    const Probe pixels("render.pixels", [](Call& call) { answerWith(call, app::renderPixels); });
 
 }
 }

@@ -8,12 +8,11 @@
 
 namespace worker {
 
-// What the probes render.image and render.pixels are asked for: a scene file, and what differs from what it says.
+// What the probe render.image is asked for: a scene file, and what differs from what it says.
 struct RenderRequest {
     std::string scene; // path
     std::vector<std::string> settings; // "name=value", names as in files::featureNames
     glm::ivec2 size { 0 }; // pixels; 0: the scene file's
-    uint32_t seed = 0; // render.pixels only
     uint32_t numThreads = 0; // 0: all cores
     bool wantsProgress = false;
 };
@@ -27,12 +26,12 @@ struct Rendering {
 
 inline Message& operator<<(Message& message, const RenderRequest& r)
 {
-    return message << r.scene << r.settings << r.size << r.seed << r.numThreads << r.wantsProgress;
+    return message << r.scene << r.settings << r.size << r.numThreads << r.wantsProgress;
 }
 
 inline Reader& operator>>(Reader& reader, RenderRequest& r)
 {
-    return reader >> r.scene >> r.settings >> r.size >> r.seed >> r.numThreads >> r.wantsProgress;
+    return reader >> r.scene >> r.settings >> r.size >> r.numThreads >> r.wantsProgress;
 }
 
 inline Message& operator<<(Message& message, const Rendering& r)

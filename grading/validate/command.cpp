@@ -8,6 +8,15 @@
 namespace grading {
 namespace {
 
+    // What a validation writes.
+    struct RemovedAtEnd {
+        ~RemovedAtEnd()
+        {
+            std::error_code gone;
+            std::filesystem::remove_all(validationFolder(), gone);
+        }
+    };
+
     bool validateBank(const ValidationOptions& options, const std::shared_ptr<ExpectedAnswers>& expected,
         const OnProgress& onProgress)
     {
@@ -38,10 +47,9 @@ namespace {
 bool runValidation(
     const ValidationOptions& options, const std::shared_ptr<ExpectedAnswers>& expected, const OnProgress& onProgress)
 {
+    const RemovedAtEnd folder;
     const bool right = !options.validate || validateBank(options, expected, onProgress);
-    const bool killed = !options.mutate || mutateReference(options, expected, onProgress);
-    std::filesystem::remove_all(validationFolder());
-    return right && killed;
+    return (!options.mutate || mutateReference(options, expected, onProgress)) && right;
 }
 
 }

@@ -2,6 +2,7 @@
 #include "submission/features.h"
 #include "submission/paths.h"
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -79,4 +80,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     REQUIRE(at != std::string::npos);
     REQUIRE(text.find(from, at + 1) == std::string::npos);
     return text.replace(at, from.size(), to);
+}
+
+void waitUntil(const std::function<bool()>& isSo)
+{
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (!isSo())
+        if (std::chrono::steady_clock::now() > end)
+            FAIL("waited in vain");
 }

@@ -29,3 +29,6 @@ struct Graded {
 
 // text with `from` replaced by `to`; fails the test if `from` does not stand there exactly once.
 [[nodiscard]] std::string replaced(std::string text, const std::string& from, const std::string& to);
+
+// Waits until it is so, and fails the test if that takes longer than anything should.
+void waitUntil(const std::function<bool()>& isSo);

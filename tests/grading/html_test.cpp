@@ -87,7 +87,7 @@ TEST_CASE("The page of a grade tells a student what was lost, and shows the pict
         CHECK(browser.complaints() == std::vector<std::string> {});
         CHECK_FALSE(browser.requests().empty());
         for (const std::string& address : browser.requests())
-            CHECK((address.starts_with("file://") || address.starts_with("data:")));
+            CHECK((address == "file://" + page.path.string() || address.starts_with("data:")));
     }
 
     SECTION("The filter leaves the rows that lost points")
