@@ -134,10 +134,16 @@ namespace {
         {
             const std::vector<Tile> tiles = tilesOf(m_expected.size, level.width);
             const double share = significance / static_cast<double>(3 * tiles.size()); // Bonferroni
+            std::size_t numNoisy = 0;
             for (const Tile& tile : tiles)
                 for (int channel = 0; channel < 3; ++channel)
-                    if (const auto comparison = compare(m_came, m_expected, tile, level, channel))
+                    if (const auto comparison = compare(m_came, m_expected, tile, level, channel)) {
                         add(*comparison, share);
+                        numNoisy += comparison->isTooNoisy();
+                        if (comparison->isTooNoisy()
+                            && 4 * numNoisy > 3 * tiles.size()) // a rare bright pixel is not all
+                            m_noisy = comparison;
+                    }
         }
 
         [[nodiscard]] Judgement judgement() const
@@ -158,8 +164,6 @@ namespace {
                 m_worst = c.size();
                 m_judgement.worst = c.tile.centre();
             }
-            if (c.isTooNoisy())
-                m_noisy = c;
             const bool isDifferent = chanceOf(c.difference, c.allowed) < share;
             if (!isDifferent && !c.isSame() && m_judgement.outcome == Outcome::Same)
                 m_judgement.outcome = Outcome::Undecided;

@@ -142,6 +142,16 @@ TEST_CASE("Heavy tails do not hide a mean that is a fifth too large", "[picture_
     }
 }
 
+TEST_CASE("A wrong picture does not hide in noise", "[picture_judge]")
+{
+    const auto amplitude = GENERATE(1.0f, 30.0f, 1e5f);
+    const auto came = [&](glm::ivec2 p, Engine& e) {
+        return 0.8f * noisy(p, e) + amplitude * std::uniform_real_distribution<float>(-1.0f, 1.0f)(e);
+    };
+    for (uint64_t seed = 0; seed < 5; ++seed)
+        CHECK(judge(came, noisy, seed) == Outcome::Different);
+}
+
 TEST_CASE("A tile that rare bright pixels light is not compared", "[picture_judge]")
 {
     // Too little light to count in the whole picture.
