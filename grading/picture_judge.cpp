@@ -140,8 +140,8 @@ namespace {
                     if (const auto comparison = compare(m_came, m_expected, tile, level, channel)) {
                         add(*comparison, share);
                         numNoisy += comparison->isTooNoisy();
-                        if (comparison->isTooNoisy()
-                            && 4 * numNoisy > 3 * tiles.size()) // a rare bright pixel is not all
+                        // One rare bright pixel makes a few tiles and the whole picture noisy, not a quarter of all.
+                        if (comparison->isTooNoisy() && tiles.size() > 1 && 4 * numNoisy > 3 * tiles.size())
                             m_noisy = comparison;
                     }
         }
