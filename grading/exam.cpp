@@ -29,12 +29,31 @@ NotAttempted::NotAttempted(const std::vector<std::string>& functions_)
 }
 
 // Wall-clock time, on a machine that may be busy. The checks of a feature take the reference three seconds.
-std::chrono::milliseconds Patience::left() const
+std::chrono::milliseconds Patience::left(const std::string& probe) const
 {
+    using Failure = worker::Failure;
     constexpr std::chrono::minutes inAll { 4 };
-    const std::chrono::seconds once { slowProbes.empty() ? 12 : 2 };
-    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(inAll - spent);
-    return std::clamp<std::chrono::milliseconds>(rest, std::chrono::milliseconds(0), once);
+    const std::lock_guard lock(m_mutex);
+    if (m_slowProbes.contains(probe))
+        throw Failure(
+            Failure::Kind::TimedOut, fmt::format("not asked: {} gave an earlier check no answer in time", probe));
+    if (m_spent >= inAll)
+        throw Failure(Failure::Kind::TimedOut, "not asked: the answers so far took four minutes");
+    const std::chrono::seconds once { m_slowProbes.empty() ? 12 : 2 };
+    return std::min<std::chrono::milliseconds>(once, std::chrono::ceil<std::chrono::milliseconds>(inAll - m_spent));
+}
+
+void Patience::wasAnswered(worker::Clock::duration after)
+{
+    const std::lock_guard lock(m_mutex);
+    m_spent += after;
+}
+
+void Patience::wasNotAnswered(const std::string& probe, worker::Clock::duration waited)
+{
+    wasAnswered(waited);
+    const std::lock_guard lock(m_mutex);
+    m_slowProbes.insert(probe);
 }
 
 Exam::Exam(std::filesystem::path submission, ExpectedAnswers& expected, Random random_, Patience& patience)
@@ -47,31 +66,27 @@ Exam::Exam(std::filesystem::path submission, ExpectedAnswers& expected, Random r
 
 worker::Message Exam::runSubmission(const std::string& probe, const worker::Message& message)
 {
-    using Failure = worker::Failure;
-    if (m_patience.slowProbes.contains(probe))
-        throw Failure(
-            Failure::Kind::TimedOut, fmt::format("not asked: {} gave an earlier check no answer in time", probe));
-    if (m_patience.left().count() == 0)
-        throw Failure(Failure::Kind::TimedOut, "not asked: the answers so far took four minutes");
-    worker::Answer answer = askInTime(probe, message);
+    worker::Answer answer = askInTime(probe, message, m_patience.left(probe));
     if (!answer.unwritten.empty())
         throw NotAttempted(answer.unwritten);
     return std::move(answer.output);
 }
 
-worker::Answer Exam::askInTime(const std::string& probe, const worker::Message& message)
+worker::Answer Exam::askInTime(const std::string& probe, const worker::Message& message, std::chrono::milliseconds time)
 {
     const auto start = worker::Clock::now();
+    const auto passed = [&] { return worker::Clock::now() - start; };
     try {
         if (!m_process)
             m_process = std::make_unique<worker::Process>(m_program, limits());
-        worker::Answer answer = m_process->ask(probe, message, m_patience.left());
-        m_patience.spent += worker::Clock::now() - start;
+        worker::Answer answer = m_process->ask(probe, message, time);
+        m_patience.wasAnswered(passed());
         return answer;
     } catch (const worker::Failure& failure) {
-        m_patience.spent += worker::Clock::now() - start;
         if (failure.kind == worker::Failure::Kind::TimedOut)
-            m_patience.slowProbes.insert(probe);
+            m_patience.wasNotAnswered(probe, passed());
+        else
+            m_patience.wasAnswered(passed());
         throw;
     }
 }

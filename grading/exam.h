@@ -5,6 +5,7 @@
 #include "worker/process.h"
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -27,13 +28,19 @@ public:
 
 // How long a submission may take for an answer. An endless loop is met by many checks, and a teacher has three hundred
 // folders: a probe that was not answered in time is not asked again, after the first of them there is less patience,
-// and there is an end to it in all.
-struct Patience {
-    std::set<std::string> slowProbes;
-    worker::Clock::duration spent {}; // on all answers so far
+// and there is an end to it in all. Shared by checks that run side by side.
+class Patience {
+public:
+    // For the next answer to a probe. Throws worker::Failure when it is not to be asked.
+    [[nodiscard]] std::chrono::milliseconds left(const std::string& probe) const;
 
-    // For the next answer; none is waited for when this is 0.
-    [[nodiscard]] std::chrono::milliseconds left() const;
+    void wasAnswered(worker::Clock::duration after);
+    void wasNotAnswered(const std::string& probe, worker::Clock::duration waited);
+
+private:
+    mutable std::mutex m_mutex;
+    std::set<std::string> m_slowProbes;
+    worker::Clock::duration m_spent {}; // on all answers so far
 };
 
 // One check on one submission: its random inputs, its worker and the reference's answers. The worker starts when it is
@@ -77,7 +84,7 @@ private:
     }
 
     worker::Message runSubmission(const std::string& probe, const worker::Message& message);
-    worker::Answer askInTime(const std::string& probe, const worker::Message& message);
+    worker::Answer askInTime(const std::string& probe, const worker::Message& message, std::chrono::milliseconds time);
 
     std::filesystem::path m_program;
     std::unique_ptr<worker::Process> m_process;

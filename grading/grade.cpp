@@ -8,11 +8,12 @@
 #include "submission/digest.h"
 #include "submission/submission.h"
 #include <algorithm>
+#include <deque>
 #include <fmt/format.h>
 #include <regex>
 #include <set>
 #include <sstream>
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
 
 namespace grading {
 namespace {
@@ -92,7 +93,7 @@ namespace {
         std::string judge; // a digest
     };
 
-    // A feature's checks, one after the other.
+    // A feature, ready to be asked.
     class FeatureGrader {
     public:
         FeatureGrader(const Grading& grading, const Feature& feature)
@@ -143,6 +144,12 @@ namespace {
         Patience m_patience;
     };
 
+    struct Question {
+        const Check& check;
+        FeatureGrader& feature;
+        Row row;
+    };
+
     std::vector<const Feature*> wantedFeatures(const std::string& only)
     {
         std::vector<const Feature*> wanted;
@@ -169,21 +176,23 @@ std::vector<Row> grade(const Assignment& assignment, const std::function<void(co
         digestOfJudge(*assignment.expected) };
     grading.submission.buildFeatureWorkers(filesOf(wanted));
 
-    std::vector<std::vector<Row>> rows(wanted.size());
-    tbb::parallel_for(std::size_t(0), wanted.size(), [&](std::size_t i) {
-        FeatureGrader grader { grading, *wanted[i] };
-        for (const Check& check : Check::all()) {
-            if (check.feature != wanted[i]->name)
-                continue;
-            rows[i].push_back(grader.grade(check));
-            if (onRow)
-                onRow(rows[i].back());
-        }
+    std::deque<FeatureGrader> features;
+    std::vector<Question> questions;
+    for (const Feature* feature : wanted) {
+        FeatureGrader& grader = features.emplace_back(grading, *feature);
+        for (const Check& check : Check::all())
+            if (check.feature == feature->name)
+                questions.push_back({ check, grader, {} });
+    }
+    tbb::parallel_for_each(questions, [&](Question& question) {
+        question.row = question.feature.grade(question.check);
+        if (onRow)
+            onRow(question.row);
     });
-    std::vector<Row> all;
-    for (const std::vector<Row>& ofFeature : rows)
-        all.insert(all.end(), ofFeature.begin(), ofFeature.end());
-    return all;
+    std::vector<Row> rows;
+    for (Question& question : questions)
+        rows.push_back(std::move(question.row));
+    return rows;
 }
 
 }

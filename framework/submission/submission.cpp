@@ -1,5 +1,4 @@
 #include "submission/submission.h"
-#include <mutex>
 #include <stdexcept>
 #include <tbb/parallel_for_each.h>
 
@@ -8,6 +7,8 @@ namespace submission {
 Submission::Submission(const std::filesystem::path& directory)
     : m_sources(readSources(directory))
 {
+    for (const auto& [name, source] : m_sources)
+        m_objects[name];
 }
 
 std::vector<std::string> Submission::names() const
@@ -20,17 +21,19 @@ std::vector<std::string> Submission::names() const
 
 void Submission::buildFeatureWorkers(const std::vector<std::string>& features)
 {
-    compileAll(features);
-    for (const std::string& feature : features) // an entry each, so that threads find them there
+    for (const std::string& feature : features)
         m_workers[feature];
-    tbb::parallel_for_each(features, [&](const std::string& feature) { linkWorker(feature); });
+    tbb::parallel_for_each(features, [&](const std::string& feature) {
+        compileOnce(feature);
+        linkWorker(feature);
+    });
 
     // A file may use functions of the submission's other files. Then it is tried together with all of them.
     for (const std::string& feature : features) {
         Program& worker = m_workers.at(feature);
         if (worker.errors.empty())
             continue;
-        compileAll(names());
+        compileAll();
         const std::string errorsAlone = worker.errors;
         worker = link(builtObjects(), "questioned");
         if (!worker.errors.empty())
@@ -49,26 +52,26 @@ void Submission::linkWorker(const std::string& feature)
 
 std::filesystem::path Submission::buildWholeWorker()
 {
-    compileAll(names());
+    compileAll();
     const Program worker = link(builtObjects(), "whole");
     if (!worker.errors.empty())
         throw std::runtime_error(worker.errors);
     return worker.file;
 }
 
-// Those that are not compiled yet, side by side.
-void Submission::compileAll(const std::vector<std::string>& names)
+void Submission::compileAll()
 {
-    std::mutex mutex;
-    tbb::parallel_for_each(names, [&](const std::string& name) {
-        Source& source = m_sources.at(name);
-        if (source.part.state != State::Taken)
-            return;
-        Object object = compile(name, source.text);
-        source.part = object.part;
-        const std::lock_guard lock(mutex);
-        m_objects[name] = std::move(object);
-    });
+    tbb::parallel_for_each(names(), [&](const std::string& name) { compileOnce(name); });
+}
+
+void Submission::compileOnce(const std::string& name)
+{
+    Source& source = m_sources.at(name);
+    if (source.part.state != State::Taken)
+        return;
+    Object& object = m_objects.at(name);
+    object = compile(name, source.text);
+    source.part = object.part;
 }
 
 std::vector<Object> Submission::builtObjects() const

@@ -30,13 +30,14 @@ public:
     [[nodiscard]] const Program& featureWorker(const std::string& feature) const { return m_workers.at(feature); }
 
 private:
-    void compileAll(const std::vector<std::string>& names);
+    void compileAll();
+    void compileOnce(const std::string& name);
     void linkWorker(const std::string& feature);
     [[nodiscard]] std::vector<Object> builtObjects() const;
 
     Sources m_sources;
-    std::map<std::string, Object> m_objects; // by file name
-    std::map<std::string, Program> m_workers; // by feature
+    std::map<std::string, Object> m_objects; // by file name, an entry for each, so that threads find it there
+    std::map<std::string, Program> m_workers; // by feature, likewise
 };
 
 }

@@ -22,26 +22,23 @@ static bool mentionsOneOf(std::string_view name, std::initializer_list<std::stri
 }
 
 // The interface is global. A file may have namespaces of its own that happen to be called like ours, as long as it does
-// not take from ours; none may stand in for a part of the worker. kind: U, w or v is undefined.
-static bool isForeign(char kind, std::string_view name)
+// not take from ours; none may stand in for a part of the worker.
+static bool isForeign(bool isTaken, std::string_view name)
 {
-    const bool isTaken = std::string_view("Uwv").find(kind) != std::string_view::npos;
     return mentionsOneOf(name, { "worker::", "grading::" })
         || (isTaken && mentionsOneOf(name, { "accel::", "app::", "debug::", "files::", "shapes::", "values::" }));
 }
 
-// A line is "address kind name"; what is undefined has no address.
+// A line is "number: value size type bind visibility section name", where the section of what is taken is UND.
 std::string firstForeignSymbol(const std::filesystem::path& list)
 {
     std::ifstream lines(list);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
-        std::string kind, name;
-        words >> kind;
-        if (kind.size() > 1)
-            words >> kind;
+        std::string number, value, size, type, bind, visibility, section, name;
+        words >> number >> value >> size >> type >> bind >> visibility >> section;
         std::getline(words >> std::ws, name);
-        if (isForeign(kind[0], name))
+        if (isForeign(section == "UND", name))
             return name;
     }
     return "";

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -117,8 +118,13 @@ template <typename T> Reader& operator>>(Reader& reader, std::vector<T>& values)
     if (count > reader.rest().size() / least) // no allocation on a liar's word
         throw MalformedMessage();
     values.resize(count);
-    for (T& value : values)
-        reader >> value;
+    if constexpr (Plain<T>) {
+        const auto bytes = reader.take(count * sizeof(T));
+        std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(std::span(values)).begin());
+    } else {
+        for (T& value : values)
+            reader >> value;
+    }
     return reader;
 }
 

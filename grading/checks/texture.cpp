@@ -1,46 +1,41 @@
 #include "grading/check.h"
 #include "grading/expect.h"
 #include "grading/picture.h"
-#include "worker/scene_message.h"
+#include "grading/probes/numbered_texels.h"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace grading {
 namespace {
 
-    // Every texel has a colour of its own, so that a wrong one shows, whichever it is.
-    Image numberedTexels(Random& random, glm::ivec2 size)
+    NumberedTexels numberedTexels(Random& random, glm::ivec2 size)
     {
-        Image image(size.x, size.y);
-        const glm::ivec3 start { random.integer(0, 255), random.integer(0, 255), random.integer(0, 255) };
-        for (int i = 0; i < image.width * image.height; ++i)
-            image.set_pixel(i, glm::vec3((start + i * glm::ivec3(37, 91, 151)) % 256) / 255.0f);
-        return image;
+        return { size, { random.integer(0, 255), random.integer(0, 255), random.integer(0, 255) } };
     }
 
-    Image numberedTexels(Random& random)
+    NumberedTexels numberedTexels(Random& random)
     {
         const int width = random.integer(5, 9);
         return numberedTexels(random, { width, width + random.integer(2, 5) }); // not square: no side for the other
     }
 
-    glm::dvec3 texel(const Image& image, int i, int j)
+    glm::dvec3 texel(const NumberedTexels& image, int i, int j)
     {
-        const int x = std::clamp(i, 0, image.width - 1);
-        const int y = std::clamp(j, 0, image.height - 1);
-        return glm::dvec3(image.get_pixel(y * image.width + x));
+        const int x = std::clamp(i, 0, image.size.x - 1);
+        const int y = std::clamp(j, 0, image.size.y - 1);
+        return glm::dvec3(colorOf(image, y * image.size.x + x)) / 255.0;
     }
 
-    glm::dvec3 nearestOracle(const Image& image, const glm::dvec2& uv)
+    glm::dvec3 nearestOracle(const NumberedTexels& image, const glm::dvec2& uv)
     {
-        return texel(
-            image, static_cast<int>(std::floor(uv.x * image.width)), static_cast<int>(std::floor(uv.y * image.height)));
+        return texel(image, static_cast<int>(std::floor(uv.x * image.size.x)),
+            static_cast<int>(std::floor(uv.y * image.size.y)));
     }
 
-    glm::dvec3 bilinearOracle(const Image& image, const glm::dvec2& uv)
+    glm::dvec3 bilinearOracle(const NumberedTexels& image, const glm::dvec2& uv)
     {
-        const double x = uv.x * image.width - 0.5;
-        const double y = uv.y * image.height - 0.5;
+        const double x = uv.x * image.size.x - 0.5;
+        const double y = uv.y * image.size.y - 0.5;
         const int i = static_cast<int>(std::floor(x));
         const int j = static_cast<int>(std::floor(y));
         const double fx = x - i;
@@ -52,7 +47,7 @@ namespace {
     struct Lookup {
         std::string probe;
         std::string function;
-        glm::dvec3 (*oracle)(const Image&, const glm::dvec2&);
+        glm::dvec3 (*oracle)(const NumberedTexels&, const glm::dvec2&);
     };
     const Lookup nearest { "texture.nearest", "sampleTextureNearest", nearestOracle };
     const Lookup bilinear { "texture.bilinear", "sampleTextureBilinear", bilinearOracle };
@@ -63,7 +58,7 @@ namespace {
     }
 
     // Whether all colours are those of the flipped picture: one mistake in the orientation costs the check of it alone.
-    bool isFlipped(const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
+    bool isFlipped(const Lookup& lookup, const NumberedTexels& image, const std::vector<glm::vec2>& coords,
         const std::vector<glm::vec3>& colors, double tolerance)
     {
         for (std::size_t i = 0; i < coords.size(); ++i) // who flips has rounded more often
@@ -72,17 +67,17 @@ namespace {
         return true;
     }
 
-    void expectColors(const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
+    void expectColors(const Lookup& lookup, const NumberedTexels& image, const std::vector<glm::vec2>& coords,
         const std::vector<glm::vec3>& colors, double tolerance)
     {
         for (std::size_t i = 0; i < coords.size(); ++i)
-            expectNear(fmt::format(
-                           "{} of {} x {} texels at {}", lookup.function, image.width, image.height, toText(coords[i])),
+            expectNear(fmt::format("{} of {} x {} texels at {}", lookup.function, image.size.x, image.size.y,
+                           toText(coords[i])),
                 colors[i], lookup.oracle(image, coords[i]), tolerance);
     }
 
     std::vector<glm::vec3> ask(
-        Exam& exam, const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords)
+        Exam& exam, const Lookup& lookup, const NumberedTexels& image, const std::vector<glm::vec2>& coords)
     {
         auto colors = exam.ask<std::vector<glm::vec3>>(lookup.probe, image, coords);
         expectCount(lookup.function, colors.size(), coords.size());
@@ -90,7 +85,7 @@ namespace {
     }
 
     // Coordinates of up to 14 texels are rounded by 1e-6 texels, colours of neighbours differ by up to 1.
-    void compare(Exam& exam, const Lookup& lookup, const Image& image, const std::vector<glm::vec2>& coords,
+    void compare(Exam& exam, const Lookup& lookup, const NumberedTexels& image, const std::vector<glm::vec2>& coords,
         double tolerance = fewRoundings)
     {
         const std::vector<glm::vec3> colors = ask(exam, lookup, image, coords);
@@ -100,30 +95,31 @@ namespace {
 
     // Coordinates in the image, none closer than a twentieth of a texel to where a texel begins or has its centre:
     // there rounding decides.
-    std::vector<glm::vec2> insideOf(Random& random, const Image& image, int count)
+    std::vector<glm::vec2> insideOf(Random& random, const NumberedTexels& image, int count)
     {
         std::vector<glm::vec2> coords;
         for (int i = 0; i < count; ++i) {
-            const glm::vec2 quarter { random.integer(0, 2 * image.width - 1), random.integer(0, 2 * image.height - 1) };
-            coords.push_back((quarter * 0.5f + random.vec2(0.05f, 0.45f)) / glm::vec2(image.width, image.height));
+            const glm::vec2 quarter { random.integer(0, 2 * image.size.x - 1),
+                random.integer(0, 2 * image.size.y - 1) };
+            coords.push_back((quarter * 0.5f + random.vec2(0.05f, 0.45f)) / glm::vec2(image.size));
         }
         return coords;
     }
 
     void compareInside(Exam& exam, const Lookup& lookup)
     {
-        const Image image = numberedTexels(exam.random);
+        const NumberedTexels image = numberedTexels(exam.random);
         compare(exam, lookup, image, insideOf(exam.random, image, 200));
     }
 
     // On the edges, 0 and 1 themselves, and within the outermost half texel.
     void compareBorder(Exam& exam, const Lookup& lookup)
     {
-        const Image image = numberedTexels(exam.random);
+        const NumberedTexels image = numberedTexels(exam.random);
         std::vector<glm::vec2> coords { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
         for (glm::vec2 uv : insideOf(exam.random, image, 40)) {
             const int axis = exam.random.integer(0, 1);
-            const float size = static_cast<float>(axis == 0 ? image.width : image.height);
+            const float size = static_cast<float>(axis == 0 ? image.size.x : image.size.y);
             const float offset = exam.random.integer(0, 1) == 0 ? 0.0f : exam.random.uniform(0.05f, 0.45f) / size;
             uv[axis] = exam.random.integer(0, 1) == 0 ? offset : 1.0f - offset;
             coords.push_back(uv);
@@ -134,7 +130,7 @@ namespace {
     // Below 0 and above 1, near and far.
     void compareOutside(Exam& exam, const Lookup& lookup)
     {
-        const Image image = numberedTexels(exam.random);
+        const NumberedTexels image = numberedTexels(exam.random);
         std::vector<glm::vec2> coords;
         for (glm::vec2 uv : insideOf(exam.random, image, 60)) {
             const float distance = std::pow(10.0f, exam.random.uniform(-1.0f, 2.0f));
@@ -145,32 +141,28 @@ namespace {
         compare(exam, lookup, image, coords);
     }
 
-    // The last texels' indices have outgrown a float; neighbours differ.
-    Image hugeImage(Random& random)
+    // The last texels' indices have outgrown a float: there are more than 2^24, of one channel to keep them small.
+    NumberedTexels hugeImage(Random& random)
     {
-        Image image(random.integer(4100, 4200), 4200, 1); // more than 2^24 texels, of one channel to keep them small
-        const int start = random.integer(0, 255);
-        for (int i = 0; i < image.width * image.height; ++i)
-            image.get_data()[i] = static_cast<uint8_t>(start + i * 91);
-        return image;
+        return { { random.integer(4100, 4200), 4200 }, glm::ivec3(random.integer(0, 255)), 1 };
     }
 
     // In the last rows and, as a picture may be upside down, in the first; in the last columns as often as elsewhere.
-    std::vector<glm::vec2> outermostRowsOf(Random& random, const Image& image)
+    std::vector<glm::vec2> outermostRowsOf(Random& random, const NumberedTexels& image)
     {
         std::vector<glm::vec2> coords;
         for (int i = 0; i < 80; ++i) {
-            const int column = image.width - random.integer(1, i % 2 == 0 ? 8 : image.width);
+            const int column = image.size.x - random.integer(1, i % 2 == 0 ? 8 : image.size.x);
             const int row = random.integer(0, 7);
-            const glm::vec2 texel { column, i % 4 < 2 ? row : image.height - 1 - row };
-            coords.push_back((texel + random.vec2(0.1f, 0.4f)) / glm::vec2(image.width, image.height));
+            const glm::vec2 texel { column, i % 4 < 2 ? row : image.size.y - 1 - row };
+            coords.push_back((texel + random.vec2(0.1f, 0.4f)) / glm::vec2(image.size));
         }
         return coords;
     }
 
     void compareHuge(Exam& exam)
     {
-        const Image image = hugeImage(exam.random);
+        const NumberedTexels image = hugeImage(exam.random);
         const std::vector<glm::vec2> coords = outermostRowsOf(exam.random, image);
         compare(exam, nearest, image, coords);
         // A coordinate of 4200 texels is rounded by 2.4e-4 when multiplied and again when half a texel is taken, and
@@ -183,7 +175,7 @@ namespace {
     {
         const int length = exam.random.integer(3, 9);
         for (const glm::ivec2 size : { glm::ivec2(1, 1), glm::ivec2(length, 1), glm::ivec2(1, length) }) {
-            const Image image = numberedTexels(exam.random, size);
+            const NumberedTexels image = numberedTexels(exam.random, size);
             const std::vector<glm::vec2> coords = insideOf(exam.random, image, 30);
             compare(exam, nearest, image, coords);
             compare(exam, bilinear, image, coords);
@@ -192,7 +184,7 @@ namespace {
 
     void compareOrientation(Exam& exam, const Lookup& lookup)
     {
-        const Image image = numberedTexels(exam.random);
+        const NumberedTexels image = numberedTexels(exam.random);
         const std::vector<glm::vec2> coords = insideOf(exam.random, image, 50);
         expectColors(lookup, image, coords, ask(exam, lookup, image, coords), fewRoundings);
     }

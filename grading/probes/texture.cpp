@@ -1,16 +1,16 @@
 #include "texture.h"
+#include "grading/probes/numbered_texels.h"
 #include "worker/probe.h"
-#include "worker/scene_message.h"
 
 namespace grading {
 namespace {
 
     using Sample = glm::vec3 (*)(const Image&, const glm::vec2&);
 
-    // image, texture coordinates -> colours
+    // texels, texture coordinates -> colours
     void sampleAll(worker::Call& call, Sample sample)
     {
-        const auto image = call.input.read<Image>();
+        const Image image = toImage(call.input.read<NumberedTexels>());
         std::vector<glm::vec3> colors;
         for (const glm::vec2& texCoord : call.input.read<std::vector<glm::vec2>>())
             colors.push_back(sample(image, texCoord));
