@@ -1,4 +1,5 @@
 #include "files/error.h"
+#include "graded.h"
 #include "grading/validate/bank.h"
 #include "grading/validate/folder.h"
 #include "grading/validate/sample.h"
@@ -14,7 +15,7 @@ namespace {
 // A bank that holds wrong/texture.toml alone.
 fs::path bankWith(const std::string& toml)
 {
-    const fs::path bank = fs::path(submission::buildDirectory) / "tests" / "bank";
+    const fs::path bank = workFolder() / "bank";
     fs::remove_all(bank);
     grading::writeSource(bank / "wrong" / "texture.toml", toml);
     return bank;

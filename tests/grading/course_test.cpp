@@ -17,12 +17,11 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path here = fs::path(submission::sourceDirectory) / "tests" / "grading";
-const fs::path work = fs::path(submission::buildDirectory) / "tests";
 
 // Files of the first edition take the place of those that changed since.
 fs::path firstEdition()
 {
-    const fs::path folder = work / "course_2023";
+    const fs::path folder = workFolder() / "course_2023";
     fs::create_directories(folder);
     for (const fs::path& files : { here / "course", here / "course_2023" })
         fs::copy(files, folder, fs::copy_options::overwrite_existing | fs::copy_options::recursive);
@@ -38,7 +37,7 @@ fs::path firstEdition()
 #ifdef RAYWORK_RENDER
 fs::path render(const fs::path& with, const std::string& name)
 {
-    const fs::path picture = work / name;
+    const fs::path picture = workFolder() / name;
     const std::string command = std::string(submission::buildDirectory) + "/framework/raywork-render '"
         + std::string(submission::sourceDirectory) + "/scenes/cornell_box.toml' --size 64x64 --with '" + with.string()
         + "' -o '" + picture.string() + "' > /dev/null";

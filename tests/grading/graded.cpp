@@ -1,4 +1,5 @@
 #include "graded.h"
+#include "../files/temporary_folder.h"
 #include "submission/features.h"
 #include "submission/paths.h"
 #include <catch2/catch.hpp>
@@ -18,13 +19,12 @@ std::string read(const fs::path& path)
     return { std::istreambuf_iterator<char>(file), {} };
 }
 
-fs::path workFolder()
-{
-    const fs::path folder = fs::path(submission::buildDirectory) / "tests" / "graded";
-    fs::create_directories(folder);
-    return folder;
 }
 
+fs::path workFolder()
+{
+    static const files_test::TemporaryFolder folder;
+    return folder / "";
 }
 
 double Graded::lost(const std::string& feature) const

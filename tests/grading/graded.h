@@ -22,8 +22,10 @@ struct Graded {
 [[nodiscard]] Graded grade(
     const std::filesystem::path& folder, const std::string& options = "", const std::string& environment = "");
 
-// A copy of the reference, with one file changed. All copies share a folder, so that only the changed file is compiled
-// again.
+// A folder that no other test writes to; gone when the program ends.
+[[nodiscard]] std::filesystem::path workFolder();
+
+// A copy of the reference, with one file changed. The next one takes its place.
 [[nodiscard]] std::filesystem::path copyOfReference(
     const std::string& changedFile, const std::function<std::string(std::string)>& change);
 

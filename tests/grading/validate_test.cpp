@@ -1,4 +1,5 @@
 #include "files/text.h"
+#include "graded.h"
 #include "grading/validate/folder.h"
 #include "grading/validate/rate.h"
 #include "submission/paths.h"
@@ -20,8 +21,7 @@ struct Validated {
 
 Validated run(const std::string& options)
 {
-    const fs::path printed = fs::path(submission::buildDirectory) / "tests" / "validated.txt";
-    fs::create_directories(printed.parent_path());
+    const fs::path printed = workFolder() / "validated.txt";
     const std::string command = std::string(submission::buildDirectory) + "/grading/raywork-grade " + options + " > '"
         + printed.string() + "' 2>&1";
     const int status = std::system(command.c_str());
@@ -31,7 +31,7 @@ Validated run(const std::string& options)
 // A new bank in the folder of the build.
 fs::path bankOf(const std::string& wrong, const std::string& accepted)
 {
-    const fs::path bank = fs::path(submission::buildDirectory) / "tests" / "validated";
+    const fs::path bank = workFolder() / "bank";
     fs::remove_all(bank);
     grading::writeSource(bank / "wrong" / "recursive.toml", wrong);
     grading::writeSource(bank / "accepted" / "texture.toml", accepted);
