@@ -1,0 +1,38 @@
+#pragma once
+#include <glm/vec2.hpp>
+#include <stdexcept>
+#include <string>
+
+struct GLFWwindow;
+
+namespace gui {
+
+// The window system, or OpenGL, is not to be had.
+class NoWindow : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// A window with an OpenGL 3.3 context and Dear ImGui in it. One at a time.
+class Window {
+public:
+    // Throws NoWindow.
+    Window(const std::string& title, glm::ivec2 size);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    [[nodiscard]] bool shouldClose() const;
+
+    // What is drawn between the two appears at the end.
+    void beginFrame();
+    void endFrame();
+
+    [[nodiscard]] glm::ivec2 size() const; // of what can be drawn on, in pixels
+    [[nodiscard]] GLFWwindow* handle() const { return m_window; }
+
+private:
+    GLFWwindow* m_window = nullptr;
+};
+
+}
