@@ -127,6 +127,11 @@ std::vector<std::string> featureNames()
     return names;
 }
 
+std::vector<std::string> shadingModelNames()
+{
+    return { shadingModels.begin(), shadingModels.end() };
+}
+
 FeatureValue featureValue(const Features& features, std::string_view name)
 {
     const auto setting = std::ranges::find(settings, name, &Setting::name);

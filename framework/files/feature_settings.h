@@ -10,6 +10,9 @@ namespace files {
 // The settings of Features by the names that scene files and `render --set` use, such as "normal_interp".
 [[nodiscard]] std::vector<std::string> featureNames();
 
+// In the order of ShadingModel.
+[[nodiscard]] std::vector<std::string> shadingModelNames();
+
 // Of a switch a bool, of a count an integer, of the shading model a name.
 using FeatureValue = std::variant<bool, int64_t, std::string>;
 
