@@ -45,11 +45,10 @@ void Application::showView()
         m_shown = std::move(wanted);
         m_isPictureDone = false;
     }
-    if (const auto picture = m_tracer.takePicture()) {
-        m_texture.upload(*picture);
-        m_isPictureDone = picture->isDone;
-        m_seconds = picture->seconds;
-        m_raysPerSecond = static_cast<double>(picture->numRays) / std::max(picture->seconds, 1e-9);
+    if (auto picture = m_tracer.takePicture()) {
+        m_picture = std::move(*picture);
+        m_texture.upload(m_picture);
+        m_isPictureDone = m_picture.isDone;
     }
     if (auto ray = m_tracer.takeRay())
         m_ray.show(std::move(*ray));
@@ -72,6 +71,8 @@ void Application::sidePanel()
                     openScene(entry.path());
             ImGui::EndCombo();
         }
+    if (ImGui::CollapsingHeader("save"))
+        m_save.show(m_document, m_picture, glm::ivec2(m_last - m_first));
     if (ImGui::CollapsingHeader("features", ImGuiTreeNodeFlags_DefaultOpen))
         featuresPanel(m_document.settings.config.features);
     if (ImGui::CollapsingHeader("camera"))
@@ -85,8 +86,9 @@ void Application::sidePanel()
 
 void Application::status()
 {
-    ImGui::Text("%s in %.2f s, %.2f million rays a second", m_isPictureDone ? "traced" : "tracing", m_seconds,
-        m_raysPerSecond * 1e-6);
+    const double millions = 1e-6 * static_cast<double>(m_picture.numRays);
+    ImGui::Text("%s in %.2f s, %.2f million rays a second", m_isPictureDone ? "traced" : "tracing", m_picture.seconds,
+        millions / std::max(m_picture.seconds, 1e-9));
     ImGui::TextUnformatted("? for help");
     const std::string message = m_error + m_tracer.message();
     ImGui::PushStyleColor(ImGuiCol_Text, { 1.0f, 0.5f, 0.4f, 1.0f });

@@ -2,6 +2,7 @@
 #include "gui/document.h"
 #include "gui/picture_texture.h"
 #include "gui/ray_panel.h"
+#include "gui/save_panel.h"
 #include "gui/tracer.h"
 
 namespace gui {
@@ -17,6 +18,8 @@ public:
 
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] const RayPanel& ray() const { return m_ray; }
+    [[nodiscard]] const Picture& picture() const { return m_picture; }
+    // Of what is asked for now.
     [[nodiscard]] bool isPictureDone() const { return m_isPictureDone; }
     [[nodiscard]] std::string message() { return m_tracer.message(); }
 
@@ -33,12 +36,13 @@ private:
     Document m_document;
     Tracer m_tracer;
     PictureTexture m_texture;
+    Picture m_picture; // the newest
     RayPanel m_ray;
+    SavePanel m_save;
     std::optional<Settings> m_shown; // what the tracer was asked for last
     glm::vec2 m_first { 0.0f }, m_last { 1.0f }; // of the picture in the window
     bool m_isPictureDone = false, m_showsHelp = false;
     std::string m_error; // of what the user asked for
-    double m_seconds = 0.0, m_raysPerSecond = 0.0;
 };
 
 }

@@ -1,9 +1,11 @@
 #include "../files/temporary_folder.h"
 #include "files/feature_settings.h"
+#include "files/picture.h"
 #include "opened_window.h"
 #include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <glm/gtx/component_wise.hpp>
 
 // The real window, on a real screen that nobody sees.
 
@@ -118,4 +120,40 @@ TEST_CASE("A submission that fails is reported, and replaced by a good one while
     window.drawUntil([&] { return window.application.message().find(failure.message) != std::string::npos; });
     fs::copy_file(reference / "light.cpp", light, fs::copy_options::overwrite_existing);
     window.drawUntil([&] { return window.application.isPictureDone() && window.application.message().empty(); });
+}
+
+TEST_CASE("A scene that is saved is rendered as the window shows it", "[window]")
+{
+    const files_test::TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder / "");
+    gui::Picture shown;
+    {
+        OpenedWindow window { cornell, reference };
+        window.dragMouse({ 800, 300 }, { 860, 330 });
+        window.activate("features");
+        window.activate("lights");
+        window.activate("add point");
+        window.activate("lights");
+        window.activate("save");
+        window.drawUntilTraced();
+        window.activate("save scene");
+        window.activate("save picture");
+        shown = window.application.picture();
+    }
+    fs::current_path(before);
+
+    OpenedWindow again { folder / "saved.toml", reference };
+    again.drawUntilTraced();
+    CHECK(again.application.picture().size == shown.size);
+    CHECK(again.application.picture().pixels == shown.pixels);
+    const auto saved = files::loadPicture(folder / "saved.png");
+    REQUIRE(saved->width == shown.size.x);
+    REQUIRE(saved->height == shown.size.y);
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+        const glm::vec3 color = glm::clamp(shown.pixels[i], 0.0f, 1.0f);
+        largest = std::max(largest, glm::compMax(glm::abs(color - saved->get_pixel(static_cast<int>(i)))));
+    }
+    CHECK(largest <= 0.5f / 255.0f + 1e-6f); // half a step of eight bits, and rounding
 }
