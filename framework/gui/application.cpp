@@ -41,14 +41,12 @@ void Application::showView()
     Settings wanted = m_document.settings;
     wanted.config.size = glm::ivec2(m_last - m_first);
     if (!m_shown || !areEqual(wanted, *m_shown)) {
-        m_tracer.show(m_document.path(), view());
+        m_number = m_tracer.show(m_document.path(), view());
         m_shown = std::move(wanted);
-        m_isPictureDone = false;
     }
     if (auto picture = m_tracer.takePicture()) {
         m_picture = std::move(*picture);
         m_texture.upload(m_picture);
-        m_isPictureDone = m_picture.isDone;
     }
     if (auto ray = m_tracer.takeRay())
         m_ray.show(std::move(*ray));
@@ -87,7 +85,7 @@ void Application::sidePanel()
 void Application::status()
 {
     const double millions = 1e-6 * static_cast<double>(m_picture.numRays);
-    ImGui::Text("%s in %.2f s, %.2f million rays a second", m_isPictureDone ? "traced" : "tracing", m_picture.seconds,
+    ImGui::Text("%s in %.2f s, %.2f million rays a second", isPictureDone() ? "traced" : "tracing", m_picture.seconds,
         millions / std::max(m_picture.seconds, 1e-9));
     ImGui::TextUnformatted("? for help");
     const std::string message = m_error + m_tracer.message();

@@ -17,10 +17,12 @@ public:
     void frame(glm::ivec2 windowSize);
 
     [[nodiscard]] const Document& document() const { return m_document; }
+    [[nodiscard]] Document& document() { return m_document; }
     [[nodiscard]] const RayPanel& ray() const { return m_ray; }
+    // The newest, be it of what is asked for now or of before.
     [[nodiscard]] const Picture& picture() const { return m_picture; }
-    // Of what is asked for now.
-    [[nodiscard]] bool isPictureDone() const { return m_isPictureDone; }
+    [[nodiscard]] bool isPictureCurrent() const { return m_picture.number == m_number; }
+    [[nodiscard]] bool isPictureDone() const { return isPictureCurrent() && m_picture.isDone; }
     [[nodiscard]] std::string message() { return m_tracer.message(); }
 
 private:
@@ -41,7 +43,8 @@ private:
     SavePanel m_save;
     std::optional<Settings> m_shown; // what the tracer was asked for last
     glm::vec2 m_first { 0.0f }, m_last { 1.0f }; // of the picture in the window
-    bool m_isPictureDone = false, m_showsHelp = false;
+    uint64_t m_number = 0; // of the view that was asked for last; pictures that are waited for have it
+    bool m_showsHelp = false;
     std::string m_error; // of what the user asked for
 };
 

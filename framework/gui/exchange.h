@@ -13,6 +13,7 @@ namespace gui {
 struct Picture {
     glm::ivec2 size { 0 };
     std::vector<glm::vec3> pixels; // row 0 at the bottom; what is not traced yet repeats its neighbour
+    uint64_t number = 0; // of the view
     bool isDone = false;
     double seconds = 0.0; // since the view was asked for
     uint64_t numRays = 0;

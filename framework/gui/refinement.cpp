@@ -4,9 +4,10 @@
 
 namespace gui {
 
-Refinement::Refinement(const worker::View& view)
-    : m_request { .view = view, .stride = worker::coarsestStride, .firstRow = 0, .seconds = 0.03 }
-    , m_pixels(static_cast<std::size_t>(view.size.x * view.size.y))
+Refinement::Refinement(const Wanted& wanted)
+    : m_number(wanted.number)
+    , m_request { .view = wanted.view, .stride = worker::coarsestStride, .firstRow = 0, .seconds = 0.03 }
+    , m_pixels(static_cast<std::size_t>(wanted.view.size.x * wanted.view.size.y))
 {
 }
 
@@ -44,7 +45,7 @@ void Refinement::fill(glm::ivec2 pixel, const glm::vec3& color)
 Picture Refinement::picture() const
 {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
-    return { m_request.view.size, m_pixels, isDone(), elapsed.count(), m_numRays };
+    return { m_request.view.size, m_pixels, m_number, isDone(), elapsed.count(), m_numRays };
 }
 
 }

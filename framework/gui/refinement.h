@@ -7,7 +7,7 @@ namespace gui {
 // A picture on its way from coarse to fine: which rows are to be asked for next, and what is known so far.
 class Refinement {
 public:
-    explicit Refinement(const worker::View& view);
+    explicit Refinement(const Wanted& wanted);
 
     [[nodiscard]] bool isDone() const { return m_request.stride == 0; }
 
@@ -20,6 +20,7 @@ public:
 private:
     void fill(glm::ivec2 pixel, const glm::vec3& color);
 
+    uint64_t m_number;
     worker::RowsRequest m_request;
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
     std::vector<glm::vec3> m_pixels;

@@ -1,5 +1,7 @@
 #include "gui/trace_loop.h"
 #include "submission/submission.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace gui {
 
@@ -74,7 +76,8 @@ void TraceLoop::build()
     for (const std::string& name : submission.names())
         if (const submission::Part& part = submission.part(name); part.state == submission::State::Refused)
             m_warning += name + ".cpp is left out. " + part.message;
-    say(m_warning);
+    m_unwritten.clear();
+    say(warnings());
 }
 
 void TraceLoop::open()
@@ -91,7 +94,7 @@ void TraceLoop::open()
 void TraceLoop::refine()
 {
     if (!m_refinement)
-        m_refinement.emplace(m_wanted.view);
+        m_refinement.emplace(m_wanted);
     if (m_refinement->isDone())
         return;
     m_refinement->add(ask<worker::Rows>("view.rows", m_refinement->next()));
@@ -112,6 +115,7 @@ template <typename Result, typename Request> Result TraceLoop::ask(const std::st
     worker::Message input;
     input << request;
     const worker::Answer answer = m_process->ask(probe, input, patience);
+    noteUnwritten(answer.unwritten);
     if constexpr (!std::is_void_v<Result>) {
         worker::Reader reader { answer.output };
         return reader.read<Result>();
@@ -123,7 +127,23 @@ void TraceLoop::giveUp(const std::string& message)
     m_hopeless = m_wanted.number;
     m_process.reset();
     m_refinement.reset();
-    say(m_warning + message);
+    say(warnings() + message);
+}
+
+// A worker tells of each once.
+void TraceLoop::noteUnwritten(const std::vector<std::string>& functions)
+{
+    if (functions.empty())
+        return;
+    m_unwritten.insert(functions.begin(), functions.end());
+    say(warnings());
+}
+
+std::string TraceLoop::warnings() const
+{
+    if (m_unwritten.empty())
+        return m_warning;
+    return fmt::format("{}not written yet: {}\n", m_warning, fmt::join(m_unwritten, ", "));
 }
 
 void TraceLoop::say(const std::string& message)

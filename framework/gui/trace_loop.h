@@ -2,6 +2,7 @@
 #include "gui/refinement.h"
 #include "submission/watched_folder.h"
 #include "worker/process.h"
+#include <set>
 #include <stop_token>
 
 namespace gui {
@@ -24,7 +25,9 @@ private:
     void refine();
     void follow(glm::ivec2 pixel);
     void giveUp(const std::string& message);
+    void noteUnwritten(const std::vector<std::string>& functions);
     void say(const std::string& message);
+    [[nodiscard]] std::string warnings() const;
 
     template <typename Result, typename Request> Result ask(const std::string& probe, const Request& request);
 
@@ -39,6 +42,7 @@ private:
     std::optional<Refinement> m_refinement;
     std::optional<uint64_t> m_hopeless; // the view that failed
     std::string m_warning; // of the build
+    std::set<std::string> m_unwritten; // functions of the submission that were called and are not there
 };
 
 }

@@ -9,13 +9,13 @@ Tracer::Tracer(const std::filesystem::path& submission)
 {
 }
 
-void Tracer::show(const std::filesystem::path& scene, const worker::View& view)
+uint64_t Tracer::show(const std::filesystem::path& scene, const worker::View& view)
 {
     const std::lock_guard lock(m_exchange.mutex);
     m_exchange.wanted.scene = scene;
     m_exchange.wanted.view = view;
-    ++m_exchange.wanted.number;
     m_exchange.changed.notify_one();
+    return ++m_exchange.wanted.number;
 }
 
 void Tracer::follow(glm::ivec2 pixel)

@@ -11,7 +11,8 @@ class Tracer {
 public:
     explicit Tracer(const std::filesystem::path& submission);
 
-    void show(const std::filesystem::path& scene, const worker::View& view);
+    // Returns the number that pictures of this view have.
+    uint64_t show(const std::filesystem::path& scene, const worker::View& view);
     void follow(glm::ivec2 pixel);
 
     // What is new since the last call.

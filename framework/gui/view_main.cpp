@@ -1,10 +1,12 @@
 // ./raywork view: a window in which a submission's code traces a scene.
 #include "files/error.h"
 #include "gui/application.h"
+#include "gui/layout_file.h"
 #include "gui/window.h"
 #include "submission/paths.h"
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <imgui.h>
 
 namespace {
 
@@ -26,7 +28,9 @@ fs::path submissionFolder(const std::string& with)
 
 void run(const Options& options)
 {
+    const std::string layout = gui::layoutFile();
     gui::Window window { "Raywork", { 1280, 720 } };
+    ImGui::GetIO().IniFilename = layout.empty() ? nullptr : layout.c_str();
     gui::Application application { options.scene, submissionFolder(options.with) };
     while (!window.shouldClose()) {
         window.beginFrame();
