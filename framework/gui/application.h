@@ -1,7 +1,9 @@
 #pragma once
 #include "gui/document.h"
+#include "gui/light_handles.h"
 #include "gui/picture_texture.h"
 #include "gui/ray_panel.h"
+#include "gui/texture_panel.h"
 #include "gui/tracer.h"
 
 namespace gui {
@@ -34,6 +36,8 @@ private:
     Tracer m_tracer;
     PictureTexture m_texture;
     RayPanel m_ray;
+    TexturePanel m_textureSpace;
+    LightHandles m_lightHandles;
     std::optional<Settings> m_shown; // what the tracer was asked for last
     glm::vec2 m_first { 0.0f }, m_last { 1.0f }; // of the picture in the window
     bool m_isPictureDone = false, m_showsHelp = false;
