@@ -68,6 +68,7 @@ void samplesPanel(const worker::DebugRay& ray, const Features& features)
         ImGui::Text("%d, %d: %zu samples", ray.pixel.x, ray.pixel.y, ray.samples.size());
         if (numOutside > 0)
             ImGui::TextColored(ImColor(outside), "%td of them outside", numOutside);
+        ImGui::Spacing();
         drawPixel(ray.samples, features);
     }
     ImGui::End();

@@ -12,7 +12,7 @@ namespace {
 
     std::string describe(const worker::TextureLookup& lookup)
     {
-        return fmt::format("bounce {}{}: texture {} at ({:.4g}, {:.4g})", lookup.cause.bounce,
+        return fmt::format("bounce {}{}: texture {} at ({:.3g}, {:.3g})", lookup.cause.bounce,
             lookup.cause.way == debug::Way::Shadow ? ", to a light" : "", lookup.texture, lookup.texCoord.x,
             lookup.texCoord.y);
     }
@@ -48,13 +48,15 @@ namespace {
         list.AddRect(a, b, outline, 0.0f, ImDrawFlags_None, 2.0f);
     }
 
-    void writeWeight(const Magnified& part, const debug::Texel& texel)
+    // On the side of the texel that is away from the point, which is marked over it.
+    void writeWeight(const Magnified& part, const debug::Texel& texel, const glm::vec2& point)
     {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const std::string text = fmt::format("{:.2f}", texel.weight);
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-        const ImVec2 middle = at(part, glm::vec2(texel.index) + 0.5f);
-        const ImVec2 a { middle.x - size.x / 2.0f, middle.y - size.y / 2.0f };
+        const glm::vec2 middle = glm::vec2(texel.index) + 0.5f;
+        const ImVec2 p = at(part, middle);
+        const ImVec2 a { p.x - size.x / 2.0f, point.y < middle.y ? p.y - size.y : p.y };
         list.AddRectFilled(a, { a.x + size.x, a.y + size.y }, IM_COL32(0, 0, 0, 170));
         list.AddText(a, outline, text.c_str());
     }
@@ -63,7 +65,7 @@ namespace {
     {
         if (!part.shows(point))
             return;
-        constexpr float arm = 7.0f; // pixels
+        constexpr float arm = 5.0f; // pixels
         const ImVec2 p = at(part, point);
         for (const auto& [color, width] : { std::pair(black, 4.0f), std::pair(cross, 2.0f) }) {
             ImGui::GetWindowDrawList()->AddLine({ p.x - arm, p.y }, { p.x + arm, p.y }, color, width);
@@ -75,6 +77,7 @@ namespace {
     {
         const Magnified part = reserve(shown.first, shown.end, 248.0f);
         const TexelRange whole { glm::ivec2(0), lookup.size };
+        const glm::vec2 point = lookup.texCoord * glm::vec2(lookup.size);
         for (int y = shown.first.y; y < shown.end.y; ++y)
             for (int x = shown.first.x; x < shown.end.x; ++x)
                 if (const glm::ivec2 texel { x, y }; whole.contains(texel))
@@ -83,10 +86,10 @@ namespace {
         for (const debug::Texel& texel : lookup.texels)
             if (shown.contains(texel.index)) {
                 frame(part, texel.index, texel.index + 1);
-                writeWeight(part, texel);
+                writeWeight(part, texel, point);
                 --numElsewhere;
             }
-        markPoint(part, lookup.texCoord * glm::vec2(lookup.size));
+        markPoint(part, point);
         if (numElsewhere > 0)
             ImGui::Text("%zu more texels took part elsewhere", numElsewhere);
     }
