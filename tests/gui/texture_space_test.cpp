@@ -54,7 +54,7 @@ TEST_CASE("Around a place that is nowhere there is still something of the textur
     }
 }
 
-TEST_CASE("A texture of few texels has a cell for each; of many, cells spread evenly over it", "[gui]")
+TEST_CASE("A texture of few texels has a cell for each, one of many has cells spread evenly over it", "[gui]")
 {
     const glm::ivec2 few { 12, 8 };
     REQUIRE(gui::numCells(few, 64) == few);
