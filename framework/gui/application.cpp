@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "gui/orbit.h"
 #include "gui/panels.h"
+#include "gui/samples_panel.h"
 #include "submission/paths.h"
 #include <imgui.h>
 
@@ -24,6 +25,10 @@ void Application::frame(glm::ivec2 windowSize)
     control();
     sidePanel();
     helpPanel(m_showsHelp);
+    if (const auto& ray = m_ray.followed()) {
+        m_textureSpace.show(*ray, m_document.scene());
+        samplesPanel(*ray, m_document.settings.config.features);
+    }
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         m_document.remember();
     showView();
@@ -52,6 +57,7 @@ void Application::showView()
         m_ray.show(std::move(*ray));
     m_texture.drawBehind(m_first, m_last);
     m_ray.drawOver(view().camera, m_first, m_last);
+    m_lightHandles.drawOver(m_document.settings.lights, view().camera, m_first, m_last);
 }
 
 void Application::sidePanel()
@@ -75,8 +81,10 @@ void Application::sidePanel()
         featuresPanel(m_document.settings.config.features);
     if (ImGui::CollapsingHeader("camera"))
         cameraPanel(m_document.settings.config.camera);
-    if (ImGui::CollapsingHeader("lights"))
+    if (ImGui::CollapsingHeader("lights")) {
+        m_lightHandles.showSwitch();
         lightsPanel(m_document.settings.lights);
+    }
     if (ImGui::CollapsingHeader("ray", ImGuiTreeNodeFlags_DefaultOpen))
         m_ray.list();
     ImGui::End();
@@ -111,6 +119,7 @@ void Application::openScene(const fs::path& path)
 void Application::control()
 {
     const ImGuiIO& io = ImGui::GetIO();
+    m_lightHandles.control(m_document.settings.lights, view().camera, m_first, m_last);
     if (!io.WantCaptureMouse)
         orbit();
     if (io.WantTextInput)
@@ -136,7 +145,7 @@ void Application::orbit()
     const glm::vec2 dragged { io.MouseDelta.x / height, io.MouseDelta.y / height };
     // In the frame in which a button goes down, the mouse has come from wherever it was.
     const auto isDragging = [&](ImGuiMouseButton button) { return io.MouseDownDuration[button] > 0.0f; };
-    if (isDragging(ImGuiMouseButton_Left) && dragged != glm::vec2(0.0f))
+    if (isDragging(ImGuiMouseButton_Left) && !m_lightHandles.isDragging() && dragged != glm::vec2(0.0f))
         turn(camera, dragged);
     if (isDragging(ImGuiMouseButton_Right) && dragged != glm::vec2(0.0f))
         pan(camera, dragged);

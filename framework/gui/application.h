@@ -1,8 +1,10 @@
 #pragma once
 #include "gui/document.h"
+#include "gui/light_handles.h"
 #include "gui/picture_texture.h"
 #include "gui/ray_panel.h"
 #include "gui/save_panel.h"
+#include "gui/texture_panel.h"
 #include "gui/tracer.h"
 
 namespace gui {
@@ -41,6 +43,8 @@ private:
     Picture m_picture; // the newest
     RayPanel m_ray;
     SavePanel m_save;
+    TexturePanel m_textureSpace;
+    LightHandles m_lightHandles;
     std::optional<Settings> m_shown; // what the tracer was asked for last
     glm::vec2 m_first { 0.0f }, m_last { 1.0f }; // of the picture in the window
     uint64_t m_number = 0; // of the view that was asked for last; pictures that are waited for have it

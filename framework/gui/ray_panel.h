@@ -11,6 +11,7 @@ public:
     void show(worker::DebugRay ray);
     void forget() { m_ray.reset(); }
     [[nodiscard]] bool isShowing() const { return m_ray.has_value(); }
+    [[nodiscard]] const std::optional<worker::DebugRay>& followed() const { return m_ray; }
 
     void list(); // in the current ImGui window
     // Over the picture that a camera sees in this area of the window.
