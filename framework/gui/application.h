@@ -15,7 +15,7 @@ public:
     // Throws files::Error.
     Application(const std::filesystem::path& scene, const std::filesystem::path& submission);
 
-    // Between beginFrame and endFrame of the window, which has this size.
+    // Between beginFrame and drawFrame of the window, which has this size.
     void frame(glm::ivec2 windowSize);
 
     [[nodiscard]] const Document& document() const { return m_document; }

@@ -35,7 +35,8 @@ void run(const Options& options)
     while (!window.shouldClose()) {
         window.beginFrame();
         application.frame(window.size());
-        window.endFrame();
+        window.drawFrame();
+        window.showFrame();
     }
 }
 

@@ -71,7 +71,7 @@ void Window::beginFrame()
     ImGui::NewFrame();
 }
 
-void Window::endFrame()
+void Window::drawFrame()
 {
     ImGui::Render();
     const glm::ivec2 pixels = size();
@@ -79,6 +79,10 @@ void Window::endFrame()
     glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::showFrame()
+{
     glfwSwapBuffers(m_window);
 }
 

@@ -24,9 +24,10 @@ public:
 
     [[nodiscard]] bool shouldClose() const;
 
-    // What is drawn between the two appears at the end.
+    // What is asked for between the first two is drawn by the second, and appears by the third.
     void beginFrame();
-    void endFrame();
+    void drawFrame();
+    void showFrame();
 
     [[nodiscard]] glm::ivec2 size() const; // of what can be drawn on, in pixels
     [[nodiscard]] GLFWwindow* handle() const { return m_window; }

@@ -23,7 +23,8 @@ void OpenedWindow::drawFrames(int count)
     for (int i = 0; i < count; ++i) {
         m_window.beginFrame();
         application.frame(m_window.size());
-        m_window.endFrame();
+        m_window.drawFrame();
+        m_window.showFrame();
     }
 }
 
@@ -96,10 +97,12 @@ gui::Picture OpenedWindow::screenshot()
     gui::Picture picture;
     picture.size = m_window.size();
     picture.pixels.resize(static_cast<std::size_t>(picture.size.x * picture.size.y));
-    drawFrames(1);
-    glReadBuffer(GL_FRONT);
+    m_window.beginFrame();
+    application.frame(m_window.size());
+    m_window.drawFrame();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, picture.size.x, picture.size.y, GL_RGB, GL_FLOAT, picture.pixels.data());
+    m_window.showFrame();
     return picture;
 }
 

@@ -115,6 +115,7 @@ TEST_CASE("A submission that fails is reported, and replaced by a good one while
             "no answer in time" },
     }));
     const files_test::TemporaryFolder folder;
+    fs::copy(reference, folder / "", fs::copy_options::recursive);
     const fs::path light = folder.write("light.cpp", failure.text);
     OpenedWindow window { cornell, folder / "" };
     window.drawUntil([&] { return window.application.message().find(failure.message) != std::string::npos; });
