@@ -13,6 +13,7 @@ public:
 
     void show(const std::filesystem::path& scene, const worker::View& view);
     void follow(glm::ivec2 pixel);
+    void setPaused(bool isPaused); // the picture: rays are followed all the same
 
     // What is new since the last call.
     [[nodiscard]] std::optional<Picture> takePicture();
