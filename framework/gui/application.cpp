@@ -108,7 +108,7 @@ void Application::status()
     if (ImGui::RadioButton("rasterised", m_isRasterised))
         setRasterised(true);
     ImGui::SameLine();
-    ImGui::TextUnformatted("? for help");
+    ImGui::TextDisabled("? for help");
     if (m_isRasterised)
         ImGui::Checkbox("wireframe", &m_isWireframe);
     else

@@ -13,27 +13,27 @@ public:
     explicit RasterScene(const Scene& scene);
 
     // Draws it with the program of raster_shaders.h; sets the uniforms that tell one material from another. Where
-    // transparency is on, what lets light through comes last, blended over the rest.
-    void draw(const ShaderProgram& program, const Features& features) const;
+    // transparency is on, what lets light through comes last, blended over the rest from far to near.
+    void draw(const ShaderProgram& program, const Features& features, const glm::vec3& eye) const;
 
     // A ball around all that there is.
-    [[nodiscard]] const glm::vec3& center() const { return m_center; }
-    [[nodiscard]] float radius() const { return m_radius; }
+    [[nodiscard]] glm::vec3 center() const { return 0.5f * (m_box.lower + m_box.upper); }
+    [[nodiscard]] float radius() const { return 0.5f * glm::distance(m_box.lower, m_box.upper); }
 
 private:
     struct Part {
         MeshBuffer buffer;
         Material material;
         bool isRound; // whatever the features say
+        glm::vec3 center;
     };
 
     void add(const Mesh& mesh, bool isRound);
     void draw(const Part& part, const ShaderProgram& program, const Features& features) const;
 
-    std::vector<Part> m_parts; // the opaque ones first
+    std::vector<Part> m_parts;
     std::map<const Image*, ImageTexture> m_textures;
-    glm::vec3 m_center { 0.0f };
-    float m_radius = 0.0f;
+    AxisAlignedBox m_box;
 };
 
 }

@@ -31,22 +31,26 @@ uniform bool isTextured, isShaded, isSmooth;
 uniform sampler2D kdTexture;
 uniform vec3 kd;
 uniform float alpha;
-uniform vec3 light; // relative to the camera
-uniform vec3 lightColor;
+const int mostLights = 16;
+uniform int numLights;
+uniform vec3 lights[mostLights]; // relative to the camera
+uniform vec3 lightColors[mostLights];
 out vec4 color;
 
-// The cosine between the light and the normal on the side that is seen.
-float lambert()
+// Unit, on the side that is seen.
+vec3 facingNormal()
 {
     vec3 n = normalize(isSmooth ? normal : cross(dFdx(fromEye), dFdy(fromEye)));
-    vec3 facing = dot(n, fromEye) > 0.0 ? -n : n;
-    return max(dot(facing, normalize(light - fromEye)), 0.0);
+    return dot(n, fromEye) > 0.0 ? -n : n;
 }
 
 void main()
 {
-    vec3 surface = isTextured ? texture(kdTexture, texCoord).rgb : kd;
-    color = vec4(lightColor * surface * (isShaded ? lambert() : 1.0), alpha);
+    vec3 n = facingNormal();
+    vec3 light = vec3(0.0);
+    for (int i = 0; i < min(numLights, mostLights); ++i)
+        light += lightColors[i] * (isShaded ? max(dot(n, normalize(lights[i] - fromEye)), 0.0) : 1.0);
+    color = vec4(light * (isTextured ? texture(kdTexture, texCoord).rgb : kd), alpha);
 }
 )";
 

@@ -1,17 +1,11 @@
 #include "gui/raster_view.h"
 #include "gui/clip_matrix.h"
+#include "gui/raster_lights.h"
 #include "gui/raster_shaders.h"
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace gui {
-
-static PointLight lightOf(const worker::View& view)
-{
-    for (const Scene::SceneLight& light : view.lights)
-        if (const auto* point = std::get_if<PointLight>(&light))
-            return *point;
-    return { view.camera.position(), glm::vec3(1.0f) };
-}
 
 RasterView::RasterView(const Scene& scene)
     : m_program(rasterVertexShader, rasterFragmentShader)
@@ -46,14 +40,22 @@ void RasterView::draw() const
     glPolygonMode(GL_FRONT_AND_BACK, m_isWireframe ? GL_LINE : GL_FILL);
 
     const Trackball& camera = m_view.camera;
-    const PointLight light = lightOf(m_view);
     m_program.use();
     m_program.set("eye", camera.position());
     m_program.set("toClip", clipMatrix(camera, depthRange(camera, m_scene.center(), m_scene.radius())));
-    m_program.set("light", light.position - camera.position());
-    m_program.set("lightColor", light.color);
     m_program.set("isShaded", m_view.features.enableShading && !m_isWireframe); // a line has no normal
-    m_scene.draw(m_program, m_view.features);
+    setLights();
+    m_scene.draw(m_program, m_view.features, camera.position());
+}
+
+void RasterView::setLights() const
+{
+    const std::vector<PointLight> lights = rasterLights(m_view);
+    m_program.set("numLights", static_cast<int>(lights.size()));
+    for (std::size_t i = 0; i < lights.size(); ++i) { // those that the shader has no room for are ignored
+        m_program.set(fmt::format("lights[{}]", i), lights[i].position - m_view.camera.position());
+        m_program.set(fmt::format("lightColors[{}]", i), lights[i].color);
+    }
 }
 
 }

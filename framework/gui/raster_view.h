@@ -8,7 +8,7 @@ struct ImDrawList;
 namespace gui {
 
 // A scene drawn by the graphics card, at the rate of the window, where the tracer's picture would show it: a first
-// look, without shadows, highlights and reflections, by one light.
+// look, without shadows, highlights and reflections.
 class RasterView {
 public:
     // Throws NoWindow.
@@ -16,13 +16,13 @@ public:
     RasterView(const RasterView&) = delete;
     RasterView& operator=(const RasterView&) = delete;
 
-    // Draws it behind all panels, over this area of the window, by the first point light of the view, or else by one at
-    // the camera. It has to live until the end of the frame.
+    // Draws it behind all panels, over this area of the window. It has to live until the end of the frame.
     void drawBehind(const worker::View& view, bool isWireframe, glm::vec2 first, glm::vec2 last);
 
 private:
     static void onDraw(const ImDrawList*, const ImDrawCmd* command);
     void draw() const;
+    void setLights() const;
 
     ShaderProgram m_program;
     RasterScene m_scene;

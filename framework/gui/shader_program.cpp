@@ -1,7 +1,6 @@
 #include "gui/shader_program.h"
 #include "gui/window.h"
 #include <glm/gtc/type_ptr.hpp>
-#include <string>
 
 namespace gui {
 namespace {
@@ -49,27 +48,32 @@ void ShaderProgram::use() const
     glUseProgram(m_program.number());
 }
 
-GLint ShaderProgram::uniform(const char* name) const
+GLint ShaderProgram::uniform(const std::string& name) const
 {
-    return glGetUniformLocation(m_program.number(), name);
+    return glGetUniformLocation(m_program.number(), name.c_str());
 }
 
-void ShaderProgram::set(const char* name, bool value) const
+void ShaderProgram::set(const std::string& name, bool value) const
 {
     glUniform1i(uniform(name), value);
 }
 
-void ShaderProgram::set(const char* name, float value) const
+void ShaderProgram::set(const std::string& name, int value) const
+{
+    glUniform1i(uniform(name), value);
+}
+
+void ShaderProgram::set(const std::string& name, float value) const
 {
     glUniform1f(uniform(name), value);
 }
 
-void ShaderProgram::set(const char* name, const glm::vec3& value) const
+void ShaderProgram::set(const std::string& name, const glm::vec3& value) const
 {
     glUniform3fv(uniform(name), 1, glm::value_ptr(value));
 }
 
-void ShaderProgram::set(const char* name, const glm::mat4& value) const
+void ShaderProgram::set(const std::string& name, const glm::mat4& value) const
 {
     glUniformMatrix4fv(uniform(name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -2,6 +2,7 @@
 #include "gui/gl_object.h"
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 
 namespace gui {
 
@@ -14,13 +15,14 @@ public:
     void use() const;
 
     // Uniforms, by name, of the program that is used.
-    void set(const char* name, bool value) const;
-    void set(const char* name, float value) const;
-    void set(const char* name, const glm::vec3& value) const;
-    void set(const char* name, const glm::mat4& value) const;
+    void set(const std::string& name, bool value) const;
+    void set(const std::string& name, int value) const;
+    void set(const std::string& name, float value) const;
+    void set(const std::string& name, const glm::vec3& value) const;
+    void set(const std::string& name, const glm::mat4& value) const;
 
 private:
-    [[nodiscard]] GLint uniform(const char* name) const;
+    [[nodiscard]] GLint uniform(const std::string& name) const;
 
     GlObject<glDeleteProgram> m_program;
 };
