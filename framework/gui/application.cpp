@@ -55,9 +55,26 @@ void Application::showView()
     }
     if (auto ray = m_tracer.takeRay())
         m_ray.show(std::move(*ray));
-    m_texture.drawBehind(m_first, m_last);
+    if (m_isRasterised)
+        drawRasterised();
+    else
+        m_texture.drawBehind(m_first, m_last);
     m_ray.drawOver(view().camera, m_first, m_last);
     m_lightHandles.drawOver(m_document.settings.lights, view().camera, m_first, m_last);
+}
+
+void Application::drawRasterised()
+{
+    if (!m_raster)
+        m_raster.emplace(m_document.scene());
+    m_raster->drawBehind(view(), m_isWireframe, m_first, m_last);
+}
+
+// Rays can be followed in what is rasterised: the tracer knows the view, and leaves the cores alone.
+void Application::setRasterised(bool isRasterised)
+{
+    m_isRasterised = isRasterised;
+    m_tracer.setPaused(isRasterised);
 }
 
 void Application::sidePanel()
@@ -93,9 +110,20 @@ void Application::sidePanel()
 void Application::status()
 {
     const double millions = 1e-6 * static_cast<double>(m_picture.numRays);
-    ImGui::Text("%s in %.2f s, %.2f million rays a second", isPictureDone() ? "traced" : "tracing", m_picture.seconds,
-        millions / std::max(m_picture.seconds, 1e-9));
-    ImGui::TextUnformatted("? for help");
+    if (m_isRasterised)
+        ImGui::Text("%.0f frames a second", static_cast<double>(ImGui::GetIO().Framerate));
+    else
+        ImGui::Text("%s in %.2f s, %.2f million rays a second", isPictureDone() ? "traced" : "tracing",
+            m_picture.seconds, millions / std::max(m_picture.seconds, 1e-9));
+    if (ImGui::RadioButton("traced", !m_isRasterised))
+        setRasterised(false);
+    ImGui::SameLine();
+    if (ImGui::RadioButton("rasterised", m_isRasterised))
+        setRasterised(true);
+    ImGui::SameLine();
+    ImGui::TextDisabled("? for help");
+    if (m_isRasterised)
+        ImGui::Checkbox("wireframe", &m_isWireframe);
     const std::string message = m_error + m_tracer.message();
     ImGui::PushStyleColor(ImGuiCol_Text, { 1.0f, 0.5f, 0.4f, 1.0f });
     if (!message.empty())
@@ -108,6 +136,7 @@ void Application::openScene(const fs::path& path)
     try {
         m_document = Document(path);
         m_shown.reset();
+        m_raster.reset();
         m_ray.forget();
         m_error.clear();
     } catch (const files::Error& error) {
@@ -131,6 +160,8 @@ void Application::control()
         m_document.redo();
     if (!io.KeyCtrl && isPressed('R'))
         followRay();
+    if (!io.KeyCtrl && isPressed('T'))
+        setRasterised(!m_isRasterised);
     if (isPressed('/') && io.KeyShift)
         m_showsHelp = !m_showsHelp;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))

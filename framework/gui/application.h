@@ -2,6 +2,7 @@
 #include "gui/document.h"
 #include "gui/light_handles.h"
 #include "gui/picture_texture.h"
+#include "gui/raster_view.h"
 #include "gui/ray_panel.h"
 #include "gui/save_panel.h"
 #include "gui/texture_panel.h"
@@ -34,6 +35,8 @@ private:
     void orbit();
     void followRay();
     void showView();
+    void setRasterised(bool isRasterised);
+    void drawRasterised();
     void openScene(const std::filesystem::path& path);
     [[nodiscard]] worker::View view() const;
 
@@ -41,6 +44,7 @@ private:
     Tracer m_tracer;
     PictureTexture m_texture;
     Picture m_picture; // the newest
+    std::optional<RasterView> m_raster; // of the document, once it has been looked at
     RayPanel m_ray;
     SavePanel m_save;
     TexturePanel m_textureSpace;
@@ -49,6 +53,7 @@ private:
     glm::vec2 m_first { 0.0f }, m_last { 1.0f }; // of the picture in the window
     uint64_t m_number = 0; // of the view that was asked for last; pictures that are waited for have it
     bool m_showsHelp = false;
+    bool m_isRasterised = false, m_isWireframe = false;
     std::string m_error; // of what the user asked for
 };
 

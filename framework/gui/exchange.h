@@ -22,6 +22,7 @@ struct Picture {
 struct Wanted {
     std::filesystem::path scene; // empty: nothing yet
     worker::View view;
+    bool isPaused = false; // no picture is wanted for now
     std::optional<glm::ivec2> pixel; // whose ray is to be followed, once
     uint64_t number = 0; // another one, another view
 };

@@ -13,6 +13,7 @@ void helpPanel(bool& isOpen)
             { "right drag", "move what it looks at" },
             { "wheel", "closer, farther" },
             { "R", "follow the ray through the pixel under the mouse" },
+            { "T", "traced, or rasterised" },
             { "Escape", "forget the ray" },
             { "Ctrl+Z, Ctrl+Y", "undo, redo" },
             { "?", "this page" },

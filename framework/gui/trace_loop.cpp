@@ -35,10 +35,12 @@ void TraceLoop::run(const std::stop_token& stop)
 void TraceLoop::waitForWork(const std::stop_token& stop)
 {
     constexpr std::chrono::milliseconds interval { 200 };
-    const bool isBusy = m_refinement && !m_refinement->isDone();
+    const bool isBusy = !m_wanted.isPaused && m_refinement && !m_refinement->isDone();
     std::unique_lock lock(m_exchange.mutex);
-    m_exchange.changed.wait_for(lock, stop, isBusy ? std::chrono::milliseconds(0) : interval,
-        [&] { return m_exchange.wanted.number != m_wanted.number || m_exchange.wanted.pixel; });
+    m_exchange.changed.wait_for(lock, stop, isBusy ? std::chrono::milliseconds(0) : interval, [&] {
+        const Wanted& now = m_exchange.wanted;
+        return now.number != m_wanted.number || now.isPaused != m_wanted.isPaused || now.pixel;
+    });
 }
 
 void TraceLoop::takeWanted()
@@ -93,6 +95,8 @@ void TraceLoop::open()
 
 void TraceLoop::refine()
 {
+    if (m_wanted.isPaused)
+        return;
     if (!m_refinement)
         m_refinement.emplace(m_wanted);
     if (m_refinement->isDone())

@@ -25,6 +25,13 @@ void Tracer::follow(glm::ivec2 pixel)
     m_exchange.changed.notify_one();
 }
 
+void Tracer::setPaused(bool isPaused)
+{
+    const std::lock_guard lock(m_exchange.mutex);
+    m_exchange.wanted.isPaused = isPaused;
+    m_exchange.changed.notify_one();
+}
+
 std::optional<Picture> Tracer::takePicture()
 {
     const std::lock_guard lock(m_exchange.mutex);

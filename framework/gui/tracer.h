@@ -14,6 +14,7 @@ public:
     // Returns the number that pictures of this view have.
     uint64_t show(const std::filesystem::path& scene, const worker::View& view);
     void follow(glm::ivec2 pixel);
+    void setPaused(bool isPaused); // the picture: rays are followed all the same
 
     // What is new since the last call.
     [[nodiscard]] std::optional<Picture> takePicture();

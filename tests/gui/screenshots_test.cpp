@@ -106,3 +106,27 @@ TEST_CASE("A followed ray and the page of help look like their kept pictures", "
     window.drawFrames(3);
     compareWithKept(window, "ray_and_help");
 }
+
+// Against the same limits, and against the traced picture by what is background in the one and not in the other.
+TEST_CASE("The rasterised view shows a scene where the traced one does", "[window]")
+{
+    const std::string name = GENERATE("teapot", "monkey");
+    tests::OpenedWindow window { source / "scenes" / (name + ".toml"), source / "reference" };
+    window.activate("shadows"); // which are as dark as the background
+    window.drawUntilTraced();
+    const gui::Picture traced = window.screenshot();
+    window.pressKey("t");
+    window.drawFrames(2);
+    compareWithKept(window, name + "_rasterised");
+    const gui::Picture rasterised = window.screenshot();
+    const auto isBackground = [](const glm::vec3& color) { return color == glm::vec3(0.0f); };
+    std::size_t numTraced = 0, numOther = 0;
+    for (int y = 0; y < traced.size.y; ++y)
+        for (int x = 380; x < traced.size.x; ++x) { // right of the panel
+            const auto i = static_cast<std::size_t>(y * traced.size.x + x);
+            numTraced += !isBackground(traced.pixels[i]);
+            numOther += isBackground(traced.pixels[i]) != isBackground(rasterised.pixels[i]);
+        }
+    CHECK(numTraced > 10'000);
+    CHECK(numOther < numTraced / 50); // pixels that an edge crosses, of all
+}
