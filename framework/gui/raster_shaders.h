@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+#include <string>
 
 // What draws a scene as the tracer would, but for shadows, highlights and reflections. Positions are relative to the
 // camera's: close to it they keep all their digits.
@@ -23,7 +25,15 @@ void main()
 }
 )";
 
-inline constexpr const char* rasterFragmentShader = R"(#version 330 core
+// The number is a constant of the program, so that the loop over them can be unrolled: where a processor does the work
+// of the graphics card, an index that varies halves the frames a second.
+[[nodiscard]] inline std::string rasterFragmentHead(std::size_t numLights)
+{
+    return fmt::format("#version 330 core\nconst int numLights = {};\n", numLights);
+}
+
+// To be preceded by rasterFragmentHead.
+inline constexpr const char* rasterFragmentShader = R"(
 in vec3 fromEye;
 in vec3 normal;
 in vec2 texCoord;
@@ -31,10 +41,8 @@ uniform bool isTextured, isShaded, isSmooth;
 uniform sampler2D kdTexture;
 uniform vec3 kd;
 uniform float alpha;
-const int mostLights = 16;
-uniform int numLights;
-uniform vec3 lights[mostLights]; // relative to the camera
-uniform vec3 lightColors[mostLights];
+uniform vec3 lights[numLights]; // relative to the camera
+uniform vec3 lightColors[numLights];
 out vec4 color;
 
 // Unit, on the side that is seen.
@@ -48,7 +56,7 @@ void main()
 {
     vec3 n = facingNormal();
     vec3 light = vec3(0.0);
-    for (int i = 0; i < min(numLights, mostLights); ++i)
+    for (int i = 0; i < numLights; ++i)
         light += lightColors[i] * (isShaded ? max(dot(n, normalize(lights[i] - fromEye)), 0.0) : 1.0);
     color = vec4(light * (isTextured ? texture(kdTexture, texCoord).rgb : kd), alpha);
 }

@@ -2,13 +2,19 @@
 #include "gui/clip_matrix.h"
 #include "gui/raster_lights.h"
 #include "gui/raster_shaders.h"
-#include <fmt/format.h>
 #include <imgui.h>
 
 namespace gui {
 
+static ShaderProgram makeProgram(std::size_t numLights)
+{
+    const std::string fragmentShader = rasterFragmentHead(numLights) + rasterFragmentShader;
+    return { rasterVertexShader, fragmentShader.c_str() };
+}
+
 RasterView::RasterView(const Scene& scene)
-    : m_program(rasterVertexShader, rasterFragmentShader)
+    : m_lights(1)
+    , m_program(makeProgram(m_lights.size()))
     , m_scene(scene)
 {
 }
@@ -17,6 +23,9 @@ RasterView::RasterView(const Scene& scene)
 void RasterView::drawBehind(const worker::View& view, bool isWireframe, glm::vec2 first, glm::vec2 last)
 {
     m_view = view;
+    const std::size_t numLights = std::exchange(m_lights, rasterLights(view)).size();
+    if (m_lights.size() != numLights)
+        m_program = makeProgram(m_lights.size());
     m_isWireframe = isWireframe;
     m_size = glm::ivec2(last - first);
     m_corner = glm::ivec2(first.x, ImGui::GetIO().DisplaySize.y - last.y);
@@ -50,11 +59,9 @@ void RasterView::draw() const
 
 void RasterView::setLights() const
 {
-    const std::vector<PointLight> lights = rasterLights(m_view);
-    m_program.set("numLights", static_cast<int>(lights.size()));
-    for (std::size_t i = 0; i < lights.size(); ++i) { // those that the shader has no room for are ignored
-        m_program.set(fmt::format("lights[{}]", i), lights[i].position - m_view.camera.position());
-        m_program.set(fmt::format("lightColors[{}]", i), lights[i].color);
+    for (std::size_t i = 0; i < m_lights.size(); ++i) {
+        m_program.set(fmt::format("lights[{}]", i), m_lights[i].position - m_view.camera.position());
+        m_program.set(fmt::format("lightColors[{}]", i), m_lights[i].color);
     }
 }
 

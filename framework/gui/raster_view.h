@@ -24,7 +24,8 @@ private:
     void draw() const;
     void setLights() const;
 
-    ShaderProgram m_program;
+    std::vector<PointLight> m_lights;
+    ShaderProgram m_program; // for so many lights
     RasterScene m_scene;
     worker::View m_view; // as of this frame, like all that follows
     bool m_isWireframe = false;

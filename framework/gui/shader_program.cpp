@@ -58,11 +58,6 @@ void ShaderProgram::set(const std::string& name, bool value) const
     glUniform1i(uniform(name), value);
 }
 
-void ShaderProgram::set(const std::string& name, int value) const
-{
-    glUniform1i(uniform(name), value);
-}
-
 void ShaderProgram::set(const std::string& name, float value) const
 {
     glUniform1f(uniform(name), value);

@@ -16,7 +16,6 @@ public:
 
     // Uniforms, by name, of the program that is used.
     void set(const std::string& name, bool value) const;
-    void set(const std::string& name, int value) const;
     void set(const std::string& name, float value) const;
     void set(const std::string& name, const glm::vec3& value) const;
     void set(const std::string& name, const glm::mat4& value) const;
