@@ -64,8 +64,13 @@ bool Window::shouldClose() const
 
 void Window::beginFrame()
 {
-    constexpr double longest = 1.0 / 60.0; // seconds: what the tracer sends is shown that soon
-    glfwWaitEventsTimeout(longest);
+    constexpr double interval = 1.0 / 60.0; // seconds: what the tracer sends is shown that soon
+    const double left = m_lastFrame + interval - glfwGetTime();
+    if (left > 0.0)
+        glfwWaitEventsTimeout(left);
+    else
+        glfwPollEvents();
+    m_lastFrame = glfwGetTime();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();

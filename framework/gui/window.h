@@ -34,6 +34,7 @@ public:
 
 private:
     GLFWwindow* m_window = nullptr;
+    double m_lastFrame = 0.0; // when it began, in seconds
 };
 
 }
