@@ -2,7 +2,8 @@
 #include "grading/check.h"
 #include "grading/exam.h"
 #include "grading/feature.h"
-#include "grading/report.h"
+#include "grading/harmless.h"
+#include "grading/observations.h"
 #include "grading/row_store.h"
 #include "grading/scene_folders.h"
 #include "submission/digest.h"
@@ -10,9 +11,9 @@
 #include <algorithm>
 #include <deque>
 #include <fmt/format.h>
-#include <regex>
 #include <set>
 #include <sstream>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 
 namespace grading {
@@ -66,19 +67,6 @@ namespace {
         }
     }
 
-    // Words that a submission may have chosen: short, and nothing in them that a terminal or a reader's eye obeys.
-    std::string harmless(const std::string& message)
-    {
-        constexpr std::size_t longest = 4000;
-        std::string text = toUtf8(message.substr(0, longest));
-        for (char& c : text)
-            if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
-                c = '?';
-        // Control characters above ASCII, and those that turn the direction of writing.
-        static const std::regex obeyed("\xc2[\x80-\x9f]|\xe2\x80[\x8e\x8f\xaa-\xae]|\xe2\x81[\xa6-\xa9]");
-        return std::regex_replace(text, obeyed, "?");
-    }
-
     // What a row depends on beside the submission: the checks, the answers that are expected, and the scenes.
     std::string digestOfJudge(const ExpectedAnswers& expected)
     {
@@ -120,6 +108,13 @@ namespace {
             const Row row = ask(check, seed);
             m_grading.store.keep(key, row);
             return row;
+        }
+
+        [[nodiscard]] std::optional<Observation> observe(const Feature& feature, const KeptMessages& known) const
+        {
+            const std::string key = submission::Digest().add(m_worker.key).add(m_grading.judge).add(feature.name).hex();
+            return grading::observe(
+                { feature.name, feature.file, m_worker.file, key }, *m_grading.assignment.expected, known);
         }
 
     private:
@@ -167,9 +162,35 @@ namespace {
         return { files.begin(), files.end() };
     }
 
+    // Whether it answers at all, rightly or wrongly: what does not may make people wait once more.
+    bool answers(const Feature& feature, const std::vector<Row>& rows)
+    {
+        return std::ranges::any_of(rows, [&](const Row& row) {
+            return row.feature == feature.name && (row.status == Status::Passed || row.status == Status::Wrong);
+        });
+    }
+
+    std::vector<Observation> observeAll(const Grading& grading, const std::vector<const Feature*>& features,
+        const std::deque<FeatureGrader>& graders, const std::vector<Row>& rows)
+    {
+        constexpr std::size_t maxDrawings = 1000; // of seven a submission
+        const KeptMessages known { grading.assignment.knownDrawings, maxDrawings };
+        std::vector<std::optional<Observation>> found(features.size());
+        tbb::parallel_for(std::size_t(0), features.size(), [&](std::size_t i) {
+            if (answers(*features[i], rows))
+                found[i] = graders[i].observe(*features[i], known);
+        });
+        std::vector<Observation> observations;
+        for (std::optional<Observation>& observation : found)
+            if (observation)
+                observations.push_back(std::move(*observation));
+        return observations;
+    }
+
 }
 
-std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow)
+std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow,
+    const std::function<void(std::vector<Observation>)>& onObservations)
 {
     const std::vector<const Feature*> wanted = wantedFeatures(assignment.onlyFeature);
     Grading grading { assignment, submission::Submission(assignment.submission), RowStore(assignment.knownRows),
@@ -192,6 +213,8 @@ std::vector<Row> grade(const Assignment& assignment, const std::function<void(co
     std::vector<Row> rows;
     for (Question& question : questions)
         rows.push_back(std::move(question.row));
+    if (onObservations)
+        onObservations(observeAll(grading, wanted, features, rows));
     return rows;
 }
 

@@ -15,11 +15,14 @@ struct Assignment {
     std::string onlyFeature; // empty: all
     Secret secret { 1 }; // what all random inputs follow from
     std::filesystem::path knownRows = {}; // folder of what need not be asked again; empty: nothing is known
+    std::filesystem::path knownDrawings = {}; // likewise, of what was drawn
 };
 
 // Builds the submission and runs all checks, features side by side. Calls onRow from any thread after each check; the
-// rows come back in the order of the checks. Throws files::Error when the submission is no folder, and
+// rows come back in the order of the checks. If onObservations is given, it hears in the end what was drawn by those
+// features that answer. Throws files::Error when the submission is no folder, and
 // std::runtime_error when the grader itself fails.
-[[nodiscard]] std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow = {});
+[[nodiscard]] std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow = {},
+    const std::function<void(std::vector<Observation>)>& onObservations = {});
 
 }

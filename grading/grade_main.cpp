@@ -49,8 +49,11 @@ grading::Assignment assignmentOf(const Options& options)
         ? grading::Secret(options.seed)
         : grading::Secret(std::filesystem::path(options.secretFile));
     grading::Assignment assignment { options.submission, expectedAnswers(options), options.onlyFeature, secret };
-    if (!options.isFresh)
-        assignment.knownRows = std::filesystem::path(submission::buildDirectory) / "grading" / "rows";
+    const auto folder = std::filesystem::path(submission::buildDirectory) / "grading";
+    if (!options.isFresh) {
+        assignment.knownRows = folder / "rows";
+        assignment.knownDrawings = folder / "drawings";
+    }
     return assignment;
 }
 
@@ -58,10 +61,14 @@ void gradeOnce(const Options& options)
 {
     grading::GrowingGrade growing { options.submission, options.outputs };
     showProgress("compiling");
-    const grading::Grade grade = growing.complete(grading::grade(assignmentOf(options), [&](const grading::Row& row) {
+    const auto onRow = [&](const grading::Row& row) {
         showProgress(row.name);
         growing.add(row);
-    }));
+    };
+    std::vector<grading::Observation> observations;
+    auto rows = grading::grade(
+        assignmentOf(options), onRow, [&](std::vector<grading::Observation> all) { observations = std::move(all); });
+    const grading::Grade grade = growing.complete(std::move(rows), std::move(observations));
     showProgress("");
     grading::writeOutputs(options.outputs, grade);
     grading::printTable(grade, isatty(STDOUT_FILENO) != 0);
@@ -75,8 +82,11 @@ void record(const Options& options)
     const auto source = std::exchange(assignment.expected, recorder);
     assignment.submission = std::filesystem::path(submission::sourceDirectory) / "reference";
     assignment.knownRows.clear(); // a row that is known asks nothing
+    assignment.knownDrawings.clear();
     showProgress("compiling");
-    const auto rows = grading::grade(assignment, [](const grading::Row& row) { showProgress(row.name); });
+    const auto rows = grading::grade(
+        assignment, [](const grading::Row& row) { showProgress(row.name); },
+        [](const auto&) {}); // who asks for what is drawn has it recorded
     showProgress("");
     for (const grading::Row& row : rows)
         if (row.status != grading::Status::Passed)

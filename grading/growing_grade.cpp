@@ -34,10 +34,11 @@ void GrowingGrade::add(const Row& row)
         writeJson(m_outputs.json, m_grade);
 }
 
-Grade GrowingGrade::complete(std::vector<Row> rows)
+Grade GrowingGrade::complete(std::vector<Row> rows, std::vector<Observation> observations)
 {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
     m_grade.rows = hide(std::move(rows), m_outputs.hidden);
+    m_grade.observations = hide(std::move(observations), m_grade.rows);
     m_grade.seconds = elapsed.count();
     m_grade.isComplete = true;
     return m_grade;

@@ -18,8 +18,8 @@ public:
     // From any thread. Throws what writeJson() does.
     void add(const Row& row);
 
-    // All rows, in the order of the checks.
-    [[nodiscard]] Grade complete(std::vector<Row> rows);
+    // All rows, in the order of the checks, and what was drawn.
+    [[nodiscard]] Grade complete(std::vector<Row> rows, std::vector<Observation> observations);
 
 private:
     const Outputs& m_outputs;

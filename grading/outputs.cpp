@@ -37,6 +37,15 @@ std::vector<Row> hide(std::vector<Row> rows, const std::vector<std::string>& pat
     return rows;
 }
 
+std::vector<Observation> hide(std::vector<Observation> observations, const std::vector<Row>& rows)
+{
+    std::erase_if(observations, [&](const Observation& observation) {
+        return std::ranges::any_of(
+            rows, [&](const Row& row) { return row.hidden && row.feature == observation.feature; });
+    });
+    return observations;
+}
+
 void writeOutputs(const Outputs& outputs, const Grade& grade)
 {
     if (!outputs.json.empty())

@@ -17,6 +17,9 @@ void expectPatternsMatch(const std::vector<std::string>& patterns);
 // The rows, those that match a pattern hidden, without what they would tell: message, cause and pictures.
 [[nodiscard]] std::vector<Row> hide(std::vector<Row> rows, const std::vector<std::string>& patterns);
 
+// What was drawn, without the features that have a hidden row: it would tell of that.
+[[nodiscard]] std::vector<Observation> hide(std::vector<Observation> observations, const std::vector<Row>& rows);
+
 // Writes all files that are asked for.
 void writeOutputs(const Outputs& outputs, const Grade& grade);
 

@@ -30,8 +30,8 @@ struct Score {
 void printTable(const Grade& grade, bool withColor);
 
 // {"complete", "sandbox", "score", "max_score", "features": {name: {"score", "max_score"}}, "checks": [{"name",
-// "feature", "score", "max_score", "status", "message"}]}; a hidden check is {"name", "feature", "hidden": true}.
-// sandbox is "bubblewrap", or "none: " and why.
+// "feature", "score", "max_score", "status", "message"}], "observations": {feature: {"drawn", "expected"}}}; a hidden
+// check is {"name", "feature", "hidden": true}. sandbox is "bubblewrap", or "none: " and why.
 void writeJson(const std::filesystem::path& path, const Grade& grade);
 
 // JUnit's XML: a suite a feature, a case a check, a failure whatever keeps it from passing. A check that was not

@@ -2,6 +2,7 @@
 #include "grading/html/page.h"
 #include "grading/report.h"
 #include "grading/write_whole.h"
+#include <algorithm>
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 #include <sodium.h>
@@ -64,8 +65,13 @@ namespace {
             Json checks = Json::array();
             for (const Row& row : rowsOf(rows, feature.name))
                 checks.push_back(toJson(row));
-            json["features"].push_back({ { "name", feature.name }, { "score", part.score },
+            Json& ofFeature = json["features"].emplace_back(Json { { "name", feature.name }, { "score", part.score },
                 { "maxScore", part.maxScore }, { "checks", std::move(checks) } });
+            const auto observation = std::ranges::find(grade.observations, feature.name, &Observation::feature);
+            if (observation != grade.observations.end()) {
+                ofFeature["drawn"] = observation->drawn;
+                ofFeature["solutionDraws"] = observation->expected;
+            }
         }
         return json;
     }

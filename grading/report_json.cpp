@@ -35,6 +35,9 @@ namespace {
         json["checks"] = Json::array();
         for (const Row& row : rows)
             json["checks"].push_back(toJson(row));
+        json["observations"] = Json::object();
+        for (const auto& [feature, drawn, expected] : grade.observations)
+            json["observations"][feature] = { { "drawn", drawn }, { "expected", expected } };
         return json;
     }
 

@@ -3,6 +3,7 @@
 #include <fmt/color.h>
 #include <fmt/core.h>
 #include <sstream>
+#include <utility>
 
 namespace grading {
 namespace {
@@ -43,6 +44,22 @@ namespace {
             printMessage(explanation);
     }
 
+    void printObservations(const std::vector<Observation>& observations)
+    {
+        bool isFirst = true;
+        for (const auto& [feature, drawn, expected] : observations) {
+            if (drawn == expected)
+                continue;
+            if (std::exchange(isFirst, false))
+                fmt::print("drawn (no points), where the solution draws something else\n");
+            fmt::print("  {}\n", feature);
+            for (const std::string& line : drawn)
+                printMessage("drew      " + line);
+            for (const std::string& line : expected)
+                printMessage("solution  " + line);
+        }
+    }
+
 }
 
 void printTable(const Grade& grade, bool withColor)
@@ -61,6 +78,7 @@ void printTable(const Grade& grade, bool withColor)
     }
     const Score total = totalOf(rows);
     fmt::print("{:<44} {:>5.4g} / {:.4g}\n", "total", total.score, total.maxScore);
+    printObservations(grade.observations);
     if (!grade.notSandboxed.empty())
         fmt::print("not sandboxed: {}\n", grade.notSandboxed);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "grading/observation.h"
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -57,6 +58,7 @@ struct Grade {
     double seconds = 0.0; // what grading took
     bool isComplete = true; // no check is missing: the grade is final
     std::string notSandboxed; // why its code was not locked in; empty if it was
+    std::vector<Observation> observations = {}; // of features, in their order
 };
 
 }

@@ -1,12 +1,8 @@
 #include "grading/row_store.h"
-#include "grading/sealed_file.h"
-#include "submission/prune.h"
 #include "worker/message.h"
 
 namespace grading {
 namespace {
-
-    namespace fs = std::filesystem;
 
     // Of about fifty submissions, of some 3 MB each for the pictures.
     constexpr std::size_t maxRows = 5000;
@@ -36,29 +32,21 @@ namespace {
 
 }
 
-RowStore::RowStore(fs::path folder)
-    : m_folder(std::move(folder))
+RowStore::RowStore(std::filesystem::path folder)
+    : m_messages(std::move(folder), maxRows)
 {
-    if (m_folder.empty())
-        return;
-    fs::create_directories(m_folder);
-    submission::prune(m_folder, maxRows);
 }
 
 std::optional<Row> RowStore::find(const std::string& key) const
 {
-    const fs::path path = m_folder / key;
-    const std::optional<worker::Message> message = m_folder.empty() ? std::nullopt : readSealed(path);
-    if (!message)
-        return {};
-    submission::noteUse(path);
-    return toRow(*message);
+    const std::optional<worker::Message> message = m_messages.find(key);
+    return message ? std::optional(toRow(*message)) : std::nullopt;
 }
 
 void RowStore::keep(const std::string& key, const Row& row) const
 {
-    if (!m_folder.empty() && row.status != Status::Crashed && row.status != Status::TimedOut)
-        writeSealed(m_folder / key, toMessage(row));
+    if (row.status != Status::Crashed && row.status != Status::TimedOut)
+        m_messages.keep(key, toMessage(row));
 }
 
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "grading/kept_messages.h"
 #include "grading/row.h"
 #include <filesystem>
 #include <optional>
@@ -17,7 +18,7 @@ public:
     void keep(const std::string& key, const Row& row) const;
 
 private:
-    std::filesystem::path m_folder;
+    KeptMessages m_messages;
 };
 
 }

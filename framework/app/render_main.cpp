@@ -1,12 +1,14 @@
 // ./raywork render: renders a scene with a submission's code, in a process of its own.
 #include "app/progress_bar.h"
+#include "app/save_debug_ray.h"
 #include "app/save_picture.h"
 #include "submission/paths.h"
 #include "submission/submission.h"
+#include "worker/debug_ray.h"
 #include "worker/process.h"
-#include "worker/render_request.h"
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <optional>
 
 namespace {
 
@@ -19,6 +21,8 @@ struct Options {
     std::string output;
     std::string with = "reference";
     std::string size;
+    std::string orbit;
+    std::string debugRay;
     uint32_t samples = 0;
     bool stratified = false;
     uint32_t threads = 0;
@@ -28,7 +32,8 @@ struct Options {
 void declare(CLI::App& cli, Options& options)
 {
     cli.add_option("scene", options.scene, "A scene (.toml) or a mesh (.obj)")->required();
-    cli.add_option("-o,--output", options.output, "The picture, .png or .exr [the scene's name, .png]");
+    cli.add_option("-o,--output", options.output,
+        "The picture, .png or .exr, of a debug ray also .svg or .json [the scene's name, .png]");
     cli.add_option("--with", options.with, "Whose code: student, reference, or a submission's folder [reference]");
     cli.add_option("--size", options.size, "Pixels, as WIDTHxHEIGHT [what the scene says]");
     cli.add_option("--samples", options.samples, "Rays a pixel [what the scene says]")->check(CLI::PositiveNumber);
@@ -36,6 +41,10 @@ void declare(CLI::App& cli, Options& options)
     cli.add_option("--threads", options.threads, "Threads [one a core]")->check(CLI::PositiveNumber);
     cli.add_option("--set", options.settings, "feature=value, such as shadows=false or shading_model=phong; repeatable")
         ->take_all();
+    cli.add_option("--orbit", options.orbit,
+        "Turn the camera by these degrees, X,Y, about what it looks at; a debug ray is still the scene's camera's");
+    cli.add_option(
+        "--debug-ray", options.debugRay, "Draw what the ray through this pixel does, X,Y from the bottom left");
     cli.footer("Exit codes: 0 done, 2 bad input, 70 the submission's code failed.");
 }
 
@@ -46,18 +55,33 @@ fs::path submissionFolder(const std::string& with)
     return with;
 }
 
+// Two numbers with a character between them.
+std::optional<glm::ivec2> parsePair(const std::string& text, char between)
+{
+    glm::ivec2 pair { 0 };
+    char found = 0, rest = 0;
+    const bool isPair = std::sscanf(text.c_str(), "%d%c%d%c", &pair.x, &found, &pair.y, &rest) == 3;
+    return isPair && found == between ? std::optional(pair) : std::nullopt;
+}
+
 glm::ivec2 parseSize(const std::string& text)
 {
-    glm::ivec2 size { 0 };
-    char rest = 0;
-    if (text.empty())
-        return size;
     constexpr int largest = 32768;
-    const bool isSize = std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) == 2;
-    if (!isSize || size.x < 1 || size.y < 1 || size.x > largest || size.y > largest)
+    if (text.empty())
+        return glm::ivec2(0);
+    const auto size = parsePair(text, 'x');
+    if (!size || std::min(size->x, size->y) < 1 || std::max(size->x, size->y) > largest)
         throw std::invalid_argument(
             fmt::format("--size: found '{}', expected WIDTHxHEIGHT, each 1 to {}", text, largest));
-    return size;
+    return *size;
+}
+
+glm::ivec2 parseNumbers(const std::string& option, const std::string& text)
+{
+    const auto numbers = parsePair(text, ',');
+    if (!numbers)
+        throw std::invalid_argument(fmt::format("{}: found '{}', expected X,Y", option, text));
+    return *numbers;
 }
 
 worker::RenderRequest makeRequest(const Options& options)
@@ -70,26 +94,45 @@ worker::RenderRequest makeRequest(const Options& options)
     if (options.stratified)
         request.settings.emplace_back("jittered_sampling=true");
     request.size = parseSize(options.size);
+    if (!options.orbit.empty())
+        request.orbit = parseNumbers("--orbit", options.orbit);
     request.numThreads = options.threads;
     request.wantsProgress = true;
     return request;
 }
 
-worker::Rendering render(const fs::path& program, const worker::RenderRequest& request)
-{
-    constexpr std::chrono::hours patience { 24 * 365 }; // whoever waits can interrupt
-    worker::Limits limits;
-    limits.captureOutput = false;
-    limits.answerBytes = std::size_t(16) << 30; // a picture of 32768 x 32768 pixels has 12 GiB
-    limits.readable = { "/" }; // a scene names its meshes and textures wherever they lie
-    worker::Process process { program, limits };
-    worker::Message input;
-    input << request;
-    const worker::Answer answer = process.ask("render.image", input, patience, app::drawProgressBar);
-    app::clearProgressBar();
-    worker::Reader reader { answer.output };
-    return reader.read<worker::Rendering>();
-}
+// The submission's worker, which reads a scene's meshes and textures wherever they lie.
+class Renderer {
+public:
+    explicit Renderer(const fs::path& program)
+        : m_process(program, limits())
+    {
+    }
+
+    // Result: what the probe answers.
+    template <typename Result, typename Request> Result ask(const std::string& probe, const Request& request)
+    {
+        constexpr std::chrono::hours patience { 24 * 365 }; // whoever waits can interrupt
+        worker::Message input;
+        input << request;
+        const worker::Answer answer = m_process.ask(probe, input, patience, app::drawProgressBar);
+        app::clearProgressBar();
+        worker::Reader reader { answer.output };
+        return reader.read<Result>();
+    }
+
+private:
+    static worker::Limits limits()
+    {
+        worker::Limits limits;
+        limits.captureOutput = false;
+        limits.answerBytes = std::size_t(16) << 30; // a picture of 32768 x 32768 pixels has 12 GiB
+        limits.readable = { "/" };
+        return limits;
+    }
+
+    worker::Process m_process;
+};
 
 void report(const Options& options, const fs::path& output, const worker::Rendering& rendering)
 {
@@ -99,21 +142,46 @@ void report(const Options& options, const fs::path& output, const worker::Render
         static_cast<double>(rendering.numRays) * 1e-6 / std::max(rendering.seconds, 1e-9));
 }
 
-void run(const Options& options)
+fs::path build(const Options& options)
 {
-    const fs::path output = options.output.empty() ? fs::path(options.scene).stem().string() + ".png" : options.output;
-    app::checkPictureName(output);
-    const worker::RenderRequest request = makeRequest(options);
-
     submission::Submission submission { submissionFolder(options.with) };
-    const fs::path worker = submission.buildWholeWorker();
+    fs::path worker = submission.buildWholeWorker();
     for (const std::string& name : submission.names())
         if (const submission::Part& part = submission.part(name); part.state == submission::State::Refused)
             fmt::print(stderr, "{}.cpp is left out. {}", name, part.message);
+    return worker;
+}
 
-    const worker::Rendering rendering = render(worker, request);
+void render(const Options& options, const fs::path& output)
+{
+    app::checkPictureName(output);
+    const worker::RenderRequest request = makeRequest(options);
+    const auto rendering = Renderer(build(options)).ask<worker::Rendering>("render.image", request);
     app::savePicture(output, rendering.size, rendering.pixels);
     report(options, output, rendering);
+}
+
+void followRay(const Options& options, const fs::path& output)
+{
+    app::checkDebugRayName(output);
+    const worker::DebugRayRequest request { makeRequest(options), parseNumbers("--debug-ray", options.debugRay) };
+    Renderer renderer { build(options) };
+    const auto ray = renderer.ask<worker::DebugRay>("debug.ray", request);
+    const auto picture = renderer.ask<worker::Rendering>("render.image", request.render);
+    app::saveDebugRay(output, ray, picture);
+    fmt::print("{}: {} shapes were drawn and {} textures looked up along the ray through pixel {},{} of {} with {}\n",
+        output.string(), ray.shapes.size(), ray.lookups.size(), ray.pixel.x, ray.pixel.y, options.scene, options.with);
+    if (ray.numDropped > 0)
+        fmt::print("{} more were drawn than are kept\n", ray.numDropped);
+}
+
+void run(const Options& options)
+{
+    const fs::path output = options.output.empty() ? fs::path(options.scene).stem().string() + ".png" : options.output;
+    if (options.debugRay.empty())
+        render(options, output);
+    else
+        followRay(options, output);
 }
 
 }

@@ -14,14 +14,30 @@ Recording::~Recording()
     s_innermost = m_outer;
 }
 
+template <typename Thing> void Recording::keep(std::vector<Thing>& things, const Thing& thing)
+{
+    if (m_shapes.size() + m_hits.size() + m_lookups.size() < m_capacity)
+        things.push_back(thing);
+    else
+        ++m_numDropped;
+}
+
 void Recording::add(const Drawn& shape)
 {
-    if (!s_innermost)
-        return;
-    if (s_innermost->m_shapes.size() < s_innermost->m_capacity)
-        s_innermost->m_shapes.push_back(shape);
-    else
-        ++s_innermost->m_numDropped;
+    if (s_innermost)
+        s_innermost->keep(s_innermost->m_shapes, Shape { shape, s_innermost->m_cause });
+}
+
+void Recording::addHit(const Ray& ray, const HitInfo& hitInfo)
+{
+    if (s_innermost)
+        s_innermost->keep(s_innermost->m_hits, Hit { ray, hitInfo, s_innermost->m_cause });
+}
+
+void Recording::addLookup(const Image& image, const glm::vec2& texCoord)
+{
+    if (s_innermost)
+        s_innermost->keep(s_innermost->m_lookups, Lookup { &image, texCoord, s_innermost->m_cause });
 }
 
 }

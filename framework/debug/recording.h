@@ -26,8 +26,35 @@ struct DrawnSphere {
 };
 using Drawn = std::variant<DrawnRay, DrawnBox, DrawnTriangle, DrawnSphere>;
 
+// On whose way something was drawn.
+enum class Way : uint8_t { Path, Shadow }; // from the camera on, or from a surface to a light
+struct Cause {
+    int bounce = 0; // as deep as renderRay: 0 is the camera's ray
+    Way way = Way::Path;
+
+    [[nodiscard]] bool operator==(const Cause&) const = default;
+};
+struct Shape {
+    Drawn drawn;
+    Cause cause;
+};
+
+// A surface that a ray of renderRay met.
+struct Hit {
+    Ray ray; // up to the surface
+    HitInfo hitInfo;
+    Cause cause;
+};
+
+// A texture that was looked up: the image belongs to the scene.
+struct Lookup {
+    const Image* image;
+    glm::vec2 texCoord;
+    Cause cause;
+};
+
 // Listens to what this thread draws while it lives; the innermost one hears it. Other threads are not heard. Keeps the
-// first `capacity` shapes and counts the rest.
+// first `capacity` of all that and counts the rest.
 class Recording {
 public:
     explicit Recording(std::size_t capacity = 100'000);
@@ -35,20 +62,64 @@ public:
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
-    [[nodiscard]] const std::vector<Drawn>& shapes() const { return m_shapes; }
+    [[nodiscard]] const std::vector<Shape>& shapes() const { return m_shapes; }
+    [[nodiscard]] const std::vector<Hit>& hits() const { return m_hits; }
+    [[nodiscard]] const std::vector<Lookup>& lookups() const { return m_lookups; }
     [[nodiscard]] std::size_t numDropped() const { return m_numDropped; }
 
-    // Called by draw.h: does nothing where nobody listens.
+    // Called by draw.h and whoever knows more: these do nothing where nobody listens.
     static void add(const Drawn& shape);
+    static void addHit(const Ray& ray, const HitInfo& hitInfo);
+    static void addLookup(const Image& image, const glm::vec2& texCoord);
     [[nodiscard]] static bool isOpen() { return s_innermost != nullptr; }
 
 private:
+    friend class Because;
+    template <typename Thing> void keep(std::vector<Thing>& things, const Thing& thing);
+
     std::size_t m_capacity;
     std::size_t m_numDropped = 0;
-    std::vector<Drawn> m_shapes;
+    std::vector<Shape> m_shapes;
+    std::vector<Hit> m_hits;
+    std::vector<Lookup> m_lookups;
+    Cause m_cause;
     Recording* m_outer;
 
     static inline thread_local Recording* s_innermost = nullptr;
+};
+
+// What is drawn while it lives has this cause. Does nothing where nobody listens.
+class Because {
+public:
+    explicit Because(int bounce)
+        : m_recording(Recording::s_innermost)
+    {
+        if (m_recording)
+            set({ bounce, Way::Path });
+    }
+    explicit Because(Way way)
+        : m_recording(Recording::s_innermost)
+    {
+        if (m_recording)
+            set({ m_recording->m_cause.bounce, way });
+    }
+    ~Because()
+    {
+        if (m_recording)
+            m_recording->m_cause = m_before;
+    }
+    Because(const Because&) = delete;
+    Because& operator=(const Because&) = delete;
+
+private:
+    void set(const Cause& cause)
+    {
+        m_before = m_recording->m_cause;
+        m_recording->m_cause = cause;
+    }
+
+    Recording* m_recording;
+    Cause m_before;
 };
 
 }

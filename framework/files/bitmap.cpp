@@ -3,6 +3,7 @@
 #include <framework/image.h>
 #include <fstream>
 #include <glm/common.hpp>
+#include <new>
 #include <stb_image_write.h>
 
 namespace files {
@@ -11,6 +12,13 @@ namespace {
     void writeTo(void* stream, void* data, int size)
     {
         static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
+    }
+
+    void appendTo(void* bytes, void* data, int size)
+    {
+        const auto* const first = static_cast<const std::byte*>(data);
+        auto& all = *static_cast<std::vector<std::byte>*>(bytes);
+        all.insert(all.end(), first, first + size);
     }
 
     // 8 bits a channel with the top row first, as stb takes them.
@@ -37,6 +45,17 @@ void saveBitmap(const std::filesystem::path& path, glm::ivec2 resolution, std::s
     stream.close();
     if (!written || !stream)
         throw Error(path, "cannot be written");
+}
+
+std::vector<std::byte> encodePng(glm::ivec2 resolution, std::span<const glm::vec3> pixels)
+{
+    const Image image = quantised(resolution, pixels);
+    std::vector<std::byte> bytes;
+    const int rowBytes = image.width * image.channels;
+    if (!stbi_write_png_to_func(
+            appendTo, &bytes, image.width, image.height, image.channels, image.get_data(), rowBytes))
+        throw std::bad_alloc(); // there is no other reason
+    return bytes;
 }
 
 }

@@ -92,6 +92,19 @@ namespace {
         target = static_cast<ShadingModel>(model - shadingModels.begin());
     }
 
+    FeatureValue valueOf(bool source)
+    {
+        return source;
+    }
+    FeatureValue valueOf(uint32_t source)
+    {
+        return int64_t { source };
+    }
+    FeatureValue valueOf(ShadingModel source)
+    {
+        return std::string(shadingModels.at(static_cast<std::size_t>(source)));
+    }
+
     // As a scene file would read it, with no quotes around strings.
     FeatureValue parse(std::string_view text)
     {
@@ -112,6 +125,19 @@ std::vector<std::string> featureNames()
     for (const Setting& setting : settings)
         names.emplace_back(setting.name);
     return names;
+}
+
+std::vector<std::string> shadingModelNames()
+{
+    return { shadingModels.begin(), shadingModels.end() };
+}
+
+FeatureValue featureValue(const Features& features, std::string_view name)
+{
+    const auto setting = std::ranges::find(settings, name, &Setting::name);
+    const auto get = make_visitor([&](auto Features::*member) { return valueOf(features.*member); },
+        [&](auto ExtraFeatures::*member) { return valueOf(features.extra.*member); });
+    return std::visit(get, setting->member);
 }
 
 void setFeatureValue(Features& features, std::string_view name, const FeatureValue& value)

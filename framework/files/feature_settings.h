@@ -10,9 +10,16 @@ namespace files {
 // The settings of Features by the names that scene files and `render --set` use, such as "normal_interp".
 [[nodiscard]] std::vector<std::string> featureNames();
 
-// Sets one: a switch takes a bool, a count an integer, the shading model a name. Throws std::invalid_argument, whose
-// text says what was found and what was expected.
+// In the order of ShadingModel.
+[[nodiscard]] std::vector<std::string> shadingModelNames();
+
+// Of a switch a bool, of a count an integer, of the shading model a name.
 using FeatureValue = std::variant<bool, int64_t, std::string>;
+
+// The value of one that featureNames() has.
+[[nodiscard]] FeatureValue featureValue(const Features& features, std::string_view name);
+
+// Sets one. Throws std::invalid_argument, whose text says what was found and what was expected.
 void setFeatureValue(Features& features, std::string_view name, const FeatureValue& value);
 
 // Sets one from text: true or false, a count, or the name of a shading model.

@@ -60,7 +60,9 @@ namespace {
 
 Scene::SceneLight readLight(TableReader& table, const Frame& frame)
 {
-    const Scene::SceneLight light = readLightOfType(table, frame);
+    bool inWorld = false;
+    table.read("in_world", inWorld);
+    const Scene::SceneLight light = readLightOfType(table, inWorld ? Frame {} : frame);
     table.finish();
     return light;
 }

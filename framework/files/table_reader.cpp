@@ -115,16 +115,16 @@ void TableReader::finish() const
 
 float TableReader::numberOf(const TomlValue& value, const Range& range) const
 {
-    double number = 0.0;
+    float number = 0.0f; // as the limits are: a double may lie beyond one and yet round to it
     if (const int64_t* integer = std::get_if<int64_t>(&value.content))
-        number = static_cast<double>(*integer);
+        number = static_cast<float>(*integer);
     else if (const double* real = std::get_if<double>(&value.content))
-        number = *real;
+        number = static_cast<float>(*real);
     else
         failFound(value, range.name);
     if (!(number >= range.lowest && number <= range.highest)) // so that NaN fails
         failFound(value, range.name);
-    return static_cast<float>(number);
+    return number;
 }
 
 glm::vec3 TableReader::vectorOf(const TomlValue& value, const Range& range) const

@@ -1,5 +1,8 @@
 #include "files/text.h"
 #include "files/error.h"
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <cfloat>
 #include <charconv>
 #include <cmath>
@@ -23,6 +26,31 @@ std::string readText(const std::filesystem::path& path)
     if (!stream)
         throw Error(path, "cannot be read, expected an existing file");
     return { std::istreambuf_iterator<char>(stream), {} };
+}
+
+void writeText(const std::filesystem::path& path, std::string_view text)
+{
+    const auto unfinished = path.parent_path() / (".unfinished-" + path.filename().string());
+    std::ofstream stream(unfinished, std::ios::binary);
+    stream << text;
+    stream.close(); // a full disk may show only now
+    std::error_code failed;
+    if (stream)
+        std::filesystem::rename(unfinished, path, failed);
+    else
+        failed = { errno, std::generic_category() };
+    if (!failed)
+        return;
+    std::error_code ignored;
+    std::filesystem::remove(unfinished, ignored);
+    throw Error(path, "cannot be written: " + failed.message());
+}
+
+std::string lowerExtension(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
 }
 
 std::string_view takeLine(std::string_view& text)

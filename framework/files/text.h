@@ -10,6 +10,12 @@ namespace files {
 // The whole file. Throws Error.
 [[nodiscard]] std::string readText(const std::filesystem::path& path);
 
+// Writes the whole file or, throwing Error, leaves what was there.
+void writeText(const std::filesystem::path& path, std::string_view text);
+
+// The extension in lower case, with its dot.
+[[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);
+
 // Takes the next line off the text; "\n", "\r\n" and "\r" end one, as they do for tinyobj.
 [[nodiscard]] std::string_view takeLine(std::string_view& text);
 

@@ -1,6 +1,7 @@
 #include "files/toml_document.h"
 #include "files/error.h"
 #include "files/text.h"
+#include <algorithm>
 #include <toml++/toml.h>
 
 namespace files {
@@ -30,6 +31,7 @@ namespace {
                 const auto line = static_cast<int>(key.source().begin.line);
                 entries.push_back({ std::string(key.str()), convert(value), line });
             }
+            std::ranges::stable_sort(entries, {}, &TomlEntry::line); // toml++ has sorted them by name
             return entries;
         }
 
@@ -57,7 +59,11 @@ namespace {
 
 TomlValue loadToml(const std::filesystem::path& path)
 {
-    const std::string text = readText(path);
+    return parseToml(path, readText(path));
+}
+
+TomlValue parseToml(const std::filesystem::path& path, std::string_view text)
+{
     try {
         return Converter(path).convert(toml::parse(text));
     } catch (const toml::parse_error& error) {

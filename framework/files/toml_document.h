@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -24,7 +25,10 @@ struct TomlEntry {
     int line = 1; // of the key
 };
 
-// The top-level table. Throws Error.
+// The top-level table; the entries of tables come in the order of their lines. Throws Error.
 [[nodiscard]] TomlValue loadToml(const std::filesystem::path& path);
+
+// The same of a text, which errors name as the path.
+[[nodiscard]] TomlValue parseToml(const std::filesystem::path& path, std::string_view text);
 
 }

@@ -1,4 +1,5 @@
 #include "bvh_interface.h"
+#include "debug/recording.h"
 #include "draw.h"
 #include "extra.h"
 #include "light.h"
@@ -7,6 +8,7 @@
 glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)
 {
     constexpr int maxDepth = 6;
+    const debug::Because bounce(rayDepth);
 
     HitInfo hitInfo;
     if (!state.bvh.intersect(state, ray, hitInfo)) {
@@ -14,6 +16,7 @@ glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)
         return state.features.extra.enableEnvironmentMap ? sampleEnvironmentMap(state, ray) : glm::vec3(0.0f);
     }
     drawRay(ray);
+    debug::Recording::addHit(ray, hitInfo);
 
     glm::vec3 color = computeLightContribution(state, ray, hitInfo);
     if (rayDepth >= maxDepth)

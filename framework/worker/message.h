@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace worker {
@@ -72,9 +73,12 @@ private:
     std::span<const std::byte> m_rest;
 };
 
+template <typename T> inline constexpr bool isVariant = false;
+template <typename... Ts> inline constexpr bool isVariant<std::variant<Ts...>> = true;
+
 // Pointers mean nothing elsewhere. Other types that are no plain data are ruled out by their overloads' absence.
 template <typename T>
-concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_same_v<T, bool>;
+concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_same_v<T, bool> && !isVariant<T>;
 
 template <Plain T> Message& operator<<(Message& message, const T& value)
 {
@@ -125,6 +129,22 @@ template <typename T> Reader& operator>>(Reader& reader, std::vector<T>& values)
         for (T& value : values)
             reader >> value;
     }
+    return reader;
+}
+
+template <typename... Ts> Message& operator<<(Message& message, const std::variant<Ts...>& value)
+{
+    message << value.index();
+    std::visit([&](const auto& alternative) { message << alternative; }, value);
+    return message;
+}
+
+template <typename... Ts> Reader& operator>>(Reader& reader, std::variant<Ts...>& value)
+{
+    const auto index = reader.read<std::size_t>();
+    std::size_t i = 0;
+    if (!((i++ == index ? (reader >> value.template emplace<Ts>(), true) : false) || ...)) // no such alternative
+        throw MalformedMessage();
     return reader;
 }
 

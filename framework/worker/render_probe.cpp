@@ -1,12 +1,10 @@
 // The probe that renders a scene file.
 #include "accel/counting_bvh.h"
 #include "bvh.h"
-#include "files/feature_settings.h"
-#include "files/scene_file.h"
 #include "render.h"
 #include "screen.h"
+#include "worker/load_request.h"
 #include "worker/probe.h"
-#include "worker/render_request.h"
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -36,25 +34,6 @@ namespace {
         std::jthread m_thread;
     };
 
-    // "name=value"
-    void apply(const std::string& setting, Features& features)
-    {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos)
-            throw std::invalid_argument("found the setting '" + setting + "', expected feature=value");
-        files::setFeature(features, setting.substr(0, equals), setting.substr(equals + 1));
-    }
-
-    files::SceneFile load(const RenderRequest& request)
-    {
-        files::SceneFile file = files::loadSceneFile(request.scene);
-        for (const std::string& setting : request.settings)
-            apply(setting, file.config.features);
-        if (request.size != glm::ivec2(0))
-            file.config.size = request.size;
-        return file;
-    }
-
     // The whole picture, by the submission's own renderImage where it has one.
     const Probe image("render.image", [](Call& call) {
         const auto request = call.input.read<RenderRequest>();
@@ -71,7 +50,7 @@ namespace {
             reporter.emplace(screen, call.progress);
         const uint64_t raysBefore = accel::CountingBVH::numRays();
         const auto start = std::chrono::steady_clock::now();
-        renderImage(scene, counting, config.features, makeTrackball(config), screen);
+        renderImage(scene, counting, config.features, cameraOf(config, request), screen);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         reporter.reset();
         const uint64_t numRays = accel::CountingBVH::numRays() - raysBefore;

@@ -13,6 +13,7 @@ struct RenderRequest {
     std::string scene; // path
     std::vector<std::string> settings; // "name=value", names as in files::featureNames
     glm::ivec2 size { 0 }; // pixels; 0: the scene file's
+    glm::vec2 orbit { 0.0f }; // degrees about x and y that the camera is turned by around what it looks at
     uint32_t numThreads = 0; // 0: all cores
     bool wantsProgress = false;
 };
@@ -26,12 +27,12 @@ struct Rendering {
 
 inline Message& operator<<(Message& message, const RenderRequest& r)
 {
-    return message << r.scene << r.settings << r.size << r.numThreads << r.wantsProgress;
+    return message << r.scene << r.settings << r.size << r.orbit << r.numThreads << r.wantsProgress;
 }
 
 inline Reader& operator>>(Reader& reader, RenderRequest& r)
 {
-    return reader >> r.scene >> r.settings >> r.size >> r.numThreads >> r.wantsProgress;
+    return reader >> r.scene >> r.settings >> r.size >> r.orbit >> r.numThreads >> r.wantsProgress;
 }
 
 inline Message& operator<<(Message& message, const Rendering& r)

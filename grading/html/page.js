@@ -177,10 +177,22 @@ function makeBar(of) {
   return bar;
 }
 
+// What was drawn costs nothing: it is below the checks, closed, open where the solution draws something else.
+function makeDrawn(feature) {
+  const list = (title, lines) => make("div", "", make("h3", "", title),
+    make("ul", "", ...lines.map((line) => make("li", "", line))));
+  const drawn = make("details", "drawn", make("summary", "", "Drawn while a ray is followed (no points)"),
+    make("div", "lists", list("Yours", feature.drawn), list("The solution's", feature.solutionDraws)));
+  drawn.open = feature.drawn.join() !== feature.solutionDraws.join();
+  return drawn;
+}
+
 function makeFeature(feature) {
   const heading = make("h2", "", feature.name, " ", make("span", "points", points(feature)));
   const section = make("section", "", heading,
     ...feature.checks.map((check, i, all) => makeCheck(check, all[i - 1])));
+  if (feature.drawn)
+    section.append(makeDrawn(feature));
   section.id = feature.name;
   section.dataset.lost = feature.checks.some(lostPoints);
   return section;

@@ -5,6 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sys/wait.h>
 
 // The renderer as it is called.
@@ -59,6 +62,10 @@ TEST_CASE("Bad input to render ends with exit code 2 and one line that says wher
         { "", scenes + "cube.toml --set shadow=true", "unknown feature \"shadow\"" },
         { "", scenes + "cube.toml --set shadows", "expected feature=value" },
         { "", scenes + "cube.toml --size 0x10", "expected WIDTHxHEIGHT" },
+        { "", scenes + "cube.toml --debug-ray 5", "--debug-ray: found '5', expected X,Y" },
+        { "", scenes + "cube.toml --size 9x9 --debug-ray 9,0",
+            "found the pixel 9,0, expected one of a picture of 9 x 9" },
+        { "", scenes + "cube.toml --orbit up", "--orbit: found 'up', expected X,Y" },
         { "", scenes + "cube.toml --with no_such_folder", "no_such_folder: found no folder" },
     }));
     INFO(c.text << c.arguments);
@@ -112,4 +119,54 @@ TEST_CASE("A file name is never a command", "[render]")
         + (work / "named.png").string() + "'");
     CHECK(outcome.exitCode == 0);
     CHECK_THAT(outcome.errors, Catch::Contains("its name has characters other than"));
+}
+
+TEST_CASE("A debug ray has the same shapes as SVG and as JSON, and the PNG shows them", "[render]")
+{
+    const std::string arguments
+        = scenes + "cornell_box.toml --size 80x80 --debug-ray 40,24 --orbit 20,50 -o '" + (work / "ray").string();
+    for (const std::string extension : { ".svg", ".json", ".png" })
+        REQUIRE(render(arguments + extension + "'").exitCode == 0);
+    const auto json = nlohmann::json::parse(bytesOf(work / "ray.json"));
+    const std::string svg = bytesOf(work / "ray.svg");
+    std::set<std::size_t> drawn;
+    for (std::size_t at = 0; (at = svg.find("data-shape=\"", at)) != svg.npos; ++at)
+        drawn.insert(std::stoul(svg.substr(at + 12)));
+    CHECK(drawn.size() == json.at("shapes").size()); // none lies behind the camera
+    CHECK(*drawn.rbegin() == json.at("shapes").size() - 1);
+
+    std::map<std::string, int> types;
+    for (const auto& shape : json.at("shapes"))
+        ++types[shape.at("type").get<std::string>()];
+    CHECK(types["box"] > 3);
+    CHECK(types["triangle"] >= 1);
+    CHECK(types["ray"] >= 2);
+    CHECK(json.at("hits").at(0).at("bounce") == 0);
+    CHECK(json.at("samples").size() == 1);
+    CHECK(json.at("samples").at(0).at(0).get<double>() == Approx(0.5).margin(1e-3));
+
+    const auto picture = files::loadPicture(work / "ray.png");
+    const auto isYellow = [&](std::size_t i) { // the first box
+        const glm::vec3 color = picture->pixels[i];
+        return color.r > 0.9f && color.g > 0.9f && color.b < 0.1f;
+    };
+    std::size_t numYellow = 0;
+    for (std::size_t i = 0; i < picture->pixels.size(); ++i)
+        numYellow += isYellow(i);
+    CHECK(numYellow > 10); // what later boxes have left of it
+}
+
+TEST_CASE("The texels of a lookup are told with their weights", "[render]")
+{
+    const std::string output = (work / "texels.json").string();
+    const std::string bilinear = " --set texture_mapping=true --set bilinear_filtering=true";
+    REQUIRE(render(scenes + "cube_textured.toml --size 80x80 --debug-ray 40,40 -o '" + output + "'" + bilinear).exitCode
+        == 0);
+    const auto lookups = nlohmann::json::parse(bytesOf(output)).at("lookups");
+    REQUIRE(lookups.size() == 1);
+    double sum = 0.0;
+    for (const auto& texel : lookups.at(0).at("texels"))
+        sum += texel.at("weight").get<double>();
+    CHECK(sum == Approx(1.0).margin(1e-4)); // what is below that is left out
+    CHECK(lookups.at(0).at("texels").size() == 4);
 }

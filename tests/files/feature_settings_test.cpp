@@ -32,6 +32,19 @@ TEST_CASE("Text sets the feature that it names and no other", "[files]")
     CHECK_FALSE(features.enableNormalInterp);
 }
 
+TEST_CASE("A feature has the value that was set", "[files]")
+{
+    Features features;
+    CHECK(files::featureValue(features, "bloom") == files::FeatureValue(false));
+    CHECK(files::featureValue(features, "shadow_samples") == files::FeatureValue(int64_t { 4 }));
+    features.extra.enableBloomEffect = true;
+    features.numShadowSamples = 9;
+    features.shadingModel = ShadingModel::BlinnPhong;
+    CHECK(files::featureValue(features, "bloom") == files::FeatureValue(true));
+    CHECK(files::featureValue(features, "shadow_samples") == files::FeatureValue(int64_t { 9 }));
+    CHECK(files::featureValue(features, "shading_model") == files::FeatureValue(std::string("blinn_phong")));
+}
+
 TEST_CASE("A bad feature is refused with what was found and expected", "[files]")
 {
     Features features;

@@ -219,7 +219,7 @@ TEST_CASE("A broken scene file is refused with its line", "[files]")
         { "size = [800,\n32769]\n", "a.toml:2: found 32769, " + size },
         { "size = [1.5, 1]\n", "a.toml:1: found 1.5, " + size },
         { "\nsizes = [1, 1]\n",
-            "a.toml:2: found the unknown key \"sizes\", expected one of size, frame, camera, features, mesh, sphere, "
+            "a.toml:2: found the unknown key \"sizes\", expected one of size, camera, features, frame, mesh, sphere, "
             "light" },
         { "camera = 1\n", "a.toml:1: found 1, expected a table" },
         { "[camera]\nfov = 50\n", "a.toml:2: found the unknown key \"fov\", expected one of look_at, rotation" },

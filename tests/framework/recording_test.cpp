@@ -54,18 +54,18 @@ TEST_CASE("A recording holds what was drawn, in order, as values", "[recording]"
     drawTriangle(vertex, vertex, vertex);
     drawSphere({ 1, 2, 3 }, 4.0f, red);
     REQUIRE(recording.shapes().size() == 4);
-    const auto& drawnRay = std::get<debug::DrawnRay>(recording.shapes()[0]);
+    const auto& drawnRay = std::get<debug::DrawnRay>(recording.shapes()[0].drawn);
     CHECK(drawnRay.ray.origin == ray.origin);
     CHECK(drawnRay.ray.direction == ray.direction);
     CHECK(drawnRay.ray.t == ray.t);
     CHECK(drawnRay.color == red);
-    const auto& box = std::get<debug::DrawnBox>(recording.shapes()[1]);
+    const auto& box = std::get<debug::DrawnBox>(recording.shapes()[1].drawn);
     CHECK(box.box.upper == glm::vec3(2.0f));
     CHECK(box.mode == DrawMode::Wireframe);
     CHECK(box.color == red);
     CHECK(box.transparency == 0.5f);
-    CHECK(std::get<debug::DrawnTriangle>(recording.shapes()[2]).v1 == vertex);
-    const auto& sphere = std::get<debug::DrawnSphere>(recording.shapes()[3]);
+    CHECK(std::get<debug::DrawnTriangle>(recording.shapes()[2].drawn).v1 == vertex);
+    const auto& sphere = std::get<debug::DrawnSphere>(recording.shapes()[3].drawn);
     CHECK(sphere.center == glm::vec3(1, 2, 3));
     CHECK(sphere.radius == 4.0f);
     CHECK(sphere.color == red);
@@ -77,9 +77,9 @@ TEST_CASE("Drawing a scene draws each of its triangles and spheres", "[recording
     scene.spheres.resize(2);
     const Recording recording;
     drawScene(scene);
-    const auto count = [&]<typename Shape>() {
+    const auto count = [&]<typename Drawn>() {
         return std::ranges::count_if(
-            recording.shapes(), [](const auto& shape) { return std::holds_alternative<Shape>(shape); });
+            recording.shapes(), [](const debug::Shape& shape) { return std::holds_alternative<Drawn>(shape.drawn); });
     };
     CHECK(count.operator()<debug::DrawnTriangle>() == 6);
     CHECK(count.operator()<debug::DrawnSphere>() == 2);
@@ -114,7 +114,7 @@ TEST_CASE("A recording keeps the first shapes that it has room for and counts th
         drawSphere({}, static_cast<float>(i));
     REQUIRE(recording.shapes().size() == 3);
     CHECK(recording.numDropped() == 7);
-    CHECK(std::get<debug::DrawnSphere>(recording.shapes()[2]).radius == 2.0f);
+    CHECK(std::get<debug::DrawnSphere>(recording.shapes()[2].drawn).radius == 2.0f);
 }
 
 TEST_CASE("A recording does not hear other threads", "[recording]")
@@ -148,9 +148,9 @@ TEST_CASE("The rays to lights are red, mirrored ones green, normals yellow", "[r
     const Recording recording;
     (void)renderRay(world.state, { {}, { 0.1f, 0, -1 } });
     const auto count = [&](const glm::vec3& color) {
-        return std::ranges::count_if(recording.shapes(), [&](const debug::Drawn& shape) {
-            const auto* drawn = std::get_if<debug::DrawnRay>(&shape);
-            return drawn && drawn->color == color;
+        return std::ranges::count_if(recording.shapes(), [&](const debug::Shape& shape) {
+            const auto* drawn = std::get_if<debug::DrawnRay>(&shape.drawn);
+            return drawn && drawn->color == color && shape.cause.way == debug::Way::Path;
         });
     };
     CHECK(count(red) > 0);
@@ -163,8 +163,8 @@ TEST_CASE("A tree's levels and leaves can be drawn, each of them once", "[record
     World world(busyScene());
     std::size_t boxes = 0, triangles = 0;
     const auto drawn = [&](const Recording& recording) {
-        for (const debug::Drawn& shape : recording.shapes())
-            (std::holds_alternative<debug::DrawnBox>(shape) ? boxes : triangles) += 1;
+        for (const debug::Shape& shape : recording.shapes())
+            (std::holds_alternative<debug::DrawnBox>(shape.drawn) ? boxes : triangles) += 1;
     };
     for (uint32_t level = 0; level < world.bvh.numLevels(); ++level) {
         const Recording recording;
@@ -180,4 +180,29 @@ TEST_CASE("A tree's levels and leaves can be drawn, each of them once", "[record
     }
     CHECK(boxes == world.bvh.numLeaves());
     CHECK(triangles == world.bvh.primitives().size());
+}
+
+TEST_CASE("What was drawn tells its bounce, and whether it was a ray to a light", "[recording]")
+{
+    World world(busyScene(), all);
+    world.features.enableDebugDraw = false;
+    const Recording recording;
+    (void)renderRay(world.state, { {}, { 0.1f, 0, -1 } });
+    int deepest = 0;
+    for (const debug::Shape& shape : recording.shapes()) {
+        const auto* drawn = std::get_if<debug::DrawnRay>(&shape.drawn);
+        deepest = std::max(deepest, shape.cause.bounce);
+        if (drawn && drawn->color == glm::vec3(1.0f)) // of renderRay itself
+            CHECK(shape.cause.way == debug::Way::Path);
+        if (std::holds_alternative<debug::DrawnSphere>(shape.drawn))
+            CHECK((shape.cause.way == debug::Way::Shadow
+                || std::get<debug::DrawnSphere>(shape.drawn).radius == 0.01f)); // the samples; passthrough's are small
+    }
+    CHECK(deepest == 6);
+    REQUIRE_FALSE(recording.hits().empty());
+    CHECK(recording.hits().front().cause.bounce == 0);
+    CHECK(recording.hits().front().ray.t == 2.0f);
+    CHECK(recording.hits().front().hitInfo.normal == glm::vec3(0, 0, 1));
+    CHECK(recording.shapes().front().cause == debug::Cause { 0, debug::Way::Path });
+    CHECK(recording.shapes().back().cause.bounce == 0); // what is drawn after a bounce is its parent's again
 }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
+#include <iterator>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -70,6 +71,31 @@ TEST_CASE("A row that is not whole is asked for again", "[grading]")
     for (const auto& row : fs::directory_iterator(build / "grading" / "rows"))
         fs::resize_file(row, fs::file_size(row) / 2);
     CHECK(grade(changedTexture(), "--only texture").json.at("checks") == before.json.at("checks"));
+}
+
+TEST_CASE("What was drawn is kept by content, and not asked again", "[grading]")
+{
+    const fs::path drawings = build / "grading" / "drawings";
+    const auto drawingOf = [&](const fs::path& folder) {
+        fs::remove_all(drawings);
+        const Graded graded = grade(folder, "--only reflection");
+        CHECK(graded.json.at("observations").at("reflection").at("drawn").size() > 1);
+        REQUIRE(std::distance(fs::directory_iterator(drawings), {}) == 1);
+        return fs::directory_iterator(drawings)->path();
+    };
+    const auto inBlue = [](const std::string& text) {
+        return replaced(text, "glm::vec3(1.0f, 1.0f, 0.0f)", "glm::vec3(0.0f, 0.0f, 1.0f)");
+    };
+    fs::rename(drawingOf(copyOfReference("recursive", inBlue)), build / "grading" / "blue");
+    const fs::path reference = copyOfReference("", nullptr);
+    fs::rename(build / "grading" / "blue", drawingOf(reference)); // an answer that only who does not ask takes for it
+    const auto line = [&](const std::string& options) {
+        const Graded graded = grade(reference, "--only reflection " + options);
+        return graded.json.at("observations").at("reflection").at("drawn").at(0).get<std::string>();
+    };
+    CHECK(line("") == "2 rays along the normal, (0, 0, 1), 0.2 long");
+    CHECK(line("--fresh") == "2 rays along the normal, yellow, 0.2 long");
+    fs::remove_all(drawings);
 }
 
 TEST_CASE("A folder that is watched is graded again at each change", "[grading]")

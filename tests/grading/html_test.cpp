@@ -114,6 +114,21 @@ TEST_CASE("The page of a grade tells a student what was lost, and shows the pict
                   .get<bool>());
     }
 
+    SECTION("What was drawn stands in the section of its feature, open where the solution draws something else")
+    {
+        browser.open(page.path);
+        const auto& observations = page.graded.json.at("observations");
+        REQUIRE_FALSE(observations.empty());
+        CHECK(countVisible(browser, ".drawn") == static_cast<int>(observations.size()));
+        for (const auto& [feature, observation] : observations.items()) {
+            const std::string drawn = "document.querySelector('#" + feature + " .drawn')";
+            CHECK(browser.evaluate(drawn + ".open") == (observation.at("drawn") != observation.at("expected")));
+            CHECK(browser.evaluate("[..." + drawn + ".querySelector('ul').children].map((line) => line.textContent)")
+                == observation.at("drawn"));
+        }
+        CHECK(browser.evaluate("makeDrawn({ drawn: ['a'], solutionDraws: ['b'] }).open") == true);
+    }
+
     SECTION("All pictures are drawn")
     {
         browser.open(page.path);

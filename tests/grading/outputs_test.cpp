@@ -125,6 +125,25 @@ TEST_CASE("Of a hidden check no file tells more than the name, but its points co
     CHECK(grading::totalOf(rows).maxScore == 8.0);
 }
 
+TEST_CASE("What was drawn is in the JSON and in the page, not in what gives points", "[grading]")
+{
+    const TemporaryFolder folder;
+    const grading::Outputs outputs { folder / "json", folder / "junit", folder / "gradescope", folder / "html", {} };
+    grading::Grade graded { someRows(), "somebody" };
+    graded.observations = { { "texture", { "drawn </script>", nasty }, { "drawn by the solution" } } };
+    grading::writeOutputs(outputs, graded);
+    const json observations = readJson(folder / "json").at("observations");
+    CHECK(observations.size() == 1);
+    CHECK(observations.at("texture").at("drawn").at(0) == "drawn </script>");
+    CHECK(observations.at("texture").at("expected") == json { "drawn by the solution" });
+    CHECK_THAT(
+        files::readText(folder / "html"), Catch::Contains("drawn by the solution") && !Catch::Contains("drawn </"));
+    for (const char* const file : { "junit", "gradescope" })
+        CHECK_THAT(files::readText(folder / file), !Catch::Contains("drawn"));
+    CHECK(grading::hide(graded.observations, grading::hide(someRows(), { "texture.*.border" })).empty());
+    CHECK(grading::hide(graded.observations, grading::hide(someRows(), { "light.*" })).size() == 1);
+}
+
 TEST_CASE("A pattern that hides nothing is an error, since it may be a typing mistake", "[grading]")
 {
     CHECK_NOTHROW(grading::expectPatternsMatch({ "texture.*", "*.picture.*" }));

@@ -1,0 +1,196 @@
+#include "gui/application.h"
+#include "files/error.h"
+#include "gui/orbit.h"
+#include "gui/panels.h"
+#include "gui/samples_panel.h"
+#include "submission/paths.h"
+#include <imgui.h>
+
+namespace gui {
+
+namespace fs = std::filesystem;
+
+static constexpr float sideWidth = 360.0f;
+
+Application::Application(const fs::path& scene, const fs::path& submission)
+    : m_document(scene)
+    , m_tracer(submission)
+{
+}
+
+void Application::frame(glm::ivec2 windowSize)
+{
+    m_first = { sideWidth * ImGui::GetIO().FontGlobalScale, 0.0f };
+    m_last = glm::max(glm::vec2(windowSize), m_first + 16.0f);
+    control();
+    sidePanel();
+    helpPanel(m_showsHelp);
+    if (const auto& ray = m_ray.followed()) {
+        m_textureSpace.show(*ray, m_document.scene());
+        samplesPanel(*ray, m_document.settings.config.features);
+    }
+    if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
+        m_document.remember();
+    showView();
+}
+
+worker::View Application::view() const
+{
+    Config config = m_document.settings.config;
+    config.size = glm::ivec2(m_last - m_first);
+    return { makeTrackball(config), config.features, m_document.settings.lights, config.size };
+}
+
+void Application::showView()
+{
+    Settings wanted = m_document.settings;
+    wanted.config.size = glm::ivec2(m_last - m_first);
+    if (!m_shown || !areEqual(wanted, *m_shown)) {
+        m_number = m_tracer.show(m_document.path(), view());
+        m_shown = std::move(wanted);
+    }
+    if (auto picture = m_tracer.takePicture()) {
+        m_picture = std::move(*picture);
+        m_texture.upload(m_picture);
+    }
+    if (auto ray = m_tracer.takeRay())
+        m_ray.show(std::move(*ray));
+    if (m_isRasterised)
+        drawRasterised();
+    else
+        m_texture.drawBehind(m_first, m_last);
+    m_ray.drawOver(view().camera, m_first, m_last);
+    m_lightHandles.drawOver(m_document.settings.lights, view().camera, m_first, m_last);
+}
+
+void Application::drawRasterised()
+{
+    if (!m_raster)
+        m_raster.emplace(m_document.scene());
+    m_raster->drawBehind(view(), m_isWireframe, m_first, m_last);
+}
+
+// Rays can be followed in what is rasterised: the tracer knows the view, and leaves the cores alone.
+void Application::setRasterised(bool isRasterised)
+{
+    m_isRasterised = isRasterised;
+    m_tracer.setPaused(isRasterised);
+}
+
+void Application::sidePanel()
+{
+    ImGui::SetNextWindowPos({ 0.0f, 0.0f });
+    ImGui::SetNextWindowSize({ m_first.x, m_last.y });
+    ImGui::Begin("side", nullptr,
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove
+            | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    status();
+    if (ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen))
+        if (ImGui::BeginCombo("file", m_document.path().stem().c_str())) {
+            for (const auto& entry : fs::directory_iterator(fs::path(submission::sourceDirectory) / "scenes"))
+                if (entry.path().extension() == ".toml" && ImGui::Selectable(entry.path().stem().c_str()))
+                    openScene(entry.path());
+            ImGui::EndCombo();
+        }
+    if (ImGui::CollapsingHeader("save"))
+        m_save.show(m_document, m_picture, glm::ivec2(m_last - m_first));
+    if (ImGui::CollapsingHeader("features", ImGuiTreeNodeFlags_DefaultOpen))
+        featuresPanel(m_document.settings.config.features);
+    if (ImGui::CollapsingHeader("camera"))
+        cameraPanel(m_document.settings.config.camera);
+    if (ImGui::CollapsingHeader("lights")) {
+        m_lightHandles.showSwitch();
+        lightsPanel(m_document.settings.lights);
+    }
+    if (ImGui::CollapsingHeader("ray", ImGuiTreeNodeFlags_DefaultOpen))
+        m_ray.list();
+    ImGui::End();
+}
+
+void Application::status()
+{
+    const double millions = 1e-6 * static_cast<double>(m_picture.numRays);
+    if (m_isRasterised)
+        ImGui::Text("%.0f frames a second", static_cast<double>(ImGui::GetIO().Framerate));
+    else
+        ImGui::Text("%s in %.2f s, %.2f million rays a second", isPictureDone() ? "traced" : "tracing",
+            m_picture.seconds, millions / std::max(m_picture.seconds, 1e-9));
+    if (ImGui::RadioButton("traced", !m_isRasterised))
+        setRasterised(false);
+    ImGui::SameLine();
+    if (ImGui::RadioButton("rasterised", m_isRasterised))
+        setRasterised(true);
+    ImGui::SameLine();
+    ImGui::TextDisabled("? for help");
+    if (m_isRasterised)
+        ImGui::Checkbox("wireframe", &m_isWireframe);
+    const std::string message = m_error + m_tracer.message();
+    ImGui::PushStyleColor(ImGuiCol_Text, { 1.0f, 0.5f, 0.4f, 1.0f });
+    if (!message.empty())
+        ImGui::TextWrapped("%s", message.c_str());
+    ImGui::PopStyleColor();
+}
+
+void Application::openScene(const fs::path& path)
+{
+    try {
+        m_document = Document(path);
+        m_shown.reset();
+        m_raster.reset();
+        m_ray.forget();
+        m_error.clear();
+    } catch (const files::Error& error) {
+        m_error = std::string(error.what()) + "\n";
+    }
+}
+
+// The keys and the mouse, where no panel wants them.
+void Application::control()
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    m_lightHandles.control(m_document.settings.lights, view().camera, m_first, m_last);
+    if (!io.WantCaptureMouse)
+        orbit();
+    if (io.WantTextInput)
+        return;
+    const auto isPressed = [](char key) { return ImGui::IsKeyPressed(key, false); };
+    if (io.KeyCtrl && isPressed('Z'))
+        m_document.undo();
+    if (io.KeyCtrl && isPressed('Y'))
+        m_document.redo();
+    if (!io.KeyCtrl && isPressed('R'))
+        followRay();
+    if (!io.KeyCtrl && isPressed('T'))
+        setRasterised(!m_isRasterised);
+    if (isPressed('/') && io.KeyShift)
+        m_showsHelp = !m_showsHelp;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+        m_ray.forget();
+}
+
+void Application::orbit()
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    CameraConfig& camera = m_document.settings.config.camera;
+    const float height = m_last.y - m_first.y;
+    const glm::vec2 dragged { io.MouseDelta.x / height, io.MouseDelta.y / height };
+    // In the frame in which a button goes down, the mouse has come from wherever it was.
+    const auto isDragging = [&](ImGuiMouseButton button) { return io.MouseDownDuration[button] > 0.0f; };
+    if (isDragging(ImGuiMouseButton_Left) && !m_lightHandles.isDragging() && dragged != glm::vec2(0.0f))
+        turn(camera, dragged);
+    if (isDragging(ImGuiMouseButton_Right) && dragged != glm::vec2(0.0f))
+        pan(camera, dragged);
+    if (io.MouseWheel != 0.0f)
+        zoom(camera, io.MouseWheel);
+}
+
+void Application::followRay()
+{
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const glm::ivec2 pixel { static_cast<int>(mouse.x - m_first.x), static_cast<int>(m_last.y - mouse.y) };
+    const glm::ivec2 size { m_last - m_first };
+    if (glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) && glm::all(glm::lessThan(pixel, size)))
+        m_tracer.follow(pixel);
+}
+
+}

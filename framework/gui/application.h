@@ -1,0 +1,60 @@
+#pragma once
+#include "gui/document.h"
+#include "gui/light_handles.h"
+#include "gui/picture_texture.h"
+#include "gui/raster_view.h"
+#include "gui/ray_panel.h"
+#include "gui/save_panel.h"
+#include "gui/texture_panel.h"
+#include "gui/tracer.h"
+
+namespace gui {
+
+// What the window shows, frame by frame: a scene traced by a submission's code, and what can be changed about it.
+class Application {
+public:
+    // Throws files::Error.
+    Application(const std::filesystem::path& scene, const std::filesystem::path& submission);
+
+    // Between beginFrame and drawFrame of the window, which has this size.
+    void frame(glm::ivec2 windowSize);
+
+    [[nodiscard]] const Document& document() const { return m_document; }
+    [[nodiscard]] Document& document() { return m_document; }
+    [[nodiscard]] const RayPanel& ray() const { return m_ray; }
+    // The newest, be it of what is asked for now or of before.
+    [[nodiscard]] const Picture& picture() const { return m_picture; }
+    [[nodiscard]] bool isPictureCurrent() const { return m_picture.number == m_number; }
+    [[nodiscard]] bool isPictureDone() const { return isPictureCurrent() && m_picture.isDone; }
+    [[nodiscard]] std::string message() { return m_tracer.message(); }
+
+private:
+    void sidePanel();
+    void status();
+    void control();
+    void orbit();
+    void followRay();
+    void showView();
+    void setRasterised(bool isRasterised);
+    void drawRasterised();
+    void openScene(const std::filesystem::path& path);
+    [[nodiscard]] worker::View view() const;
+
+    Document m_document;
+    Tracer m_tracer;
+    PictureTexture m_texture;
+    Picture m_picture; // the newest
+    std::optional<RasterView> m_raster; // of the document, once it has been looked at
+    RayPanel m_ray;
+    SavePanel m_save;
+    TexturePanel m_textureSpace;
+    LightHandles m_lightHandles;
+    std::optional<Settings> m_shown; // what the tracer was asked for last
+    glm::vec2 m_first { 0.0f }, m_last { 1.0f }; // of the picture in the window
+    uint64_t m_number = 0; // of the view that was asked for last; pictures that are waited for have it
+    bool m_showsHelp = false;
+    bool m_isRasterised = false, m_isWireframe = false;
+    std::string m_error; // of what the user asked for
+};
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+#include "worker/debug_ray.h"
+#include "worker/view.h"
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace gui {
+
+// A picture being refined, as far as it is.
+struct Picture {
+    glm::ivec2 size { 0 };
+    std::vector<glm::vec3> pixels; // row 0 at the bottom; what is not traced yet repeats its neighbour
+    uint64_t number = 0; // of the view
+    bool isDone = false;
+    double seconds = 0.0; // since the view was asked for
+    uint64_t numRays = 0;
+};
+
+struct Wanted {
+    std::filesystem::path scene; // empty: nothing yet
+    worker::View view;
+    bool isPaused = false; // no picture is wanted for now
+    std::optional<glm::ivec2> pixel; // whose ray is to be followed, once
+    uint64_t number = 0; // another one, another view
+};
+
+// What the window and the thread that traces for it tell each other.
+struct Exchange {
+    std::mutex mutex;
+    std::condition_variable_any changed; // what is wanted
+    Wanted wanted;
+    std::optional<Picture> picture; // the newest, until it is taken
+    std::optional<worker::DebugRay> ray; // likewise
+    std::string message; // what is wrong with the submission or the scene; empty while all is well
+};
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+#include <glm/vec2.hpp>
+#include <stdexcept>
+#include <string>
+
+struct GLFWwindow;
+
+namespace gui {
+
+// The window system, or OpenGL, is not to be had.
+class NoWindow : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// A window with an OpenGL 3.3 context and Dear ImGui in it. One at a time.
+class Window {
+public:
+    // Throws NoWindow.
+    Window(const std::string& title, glm::ivec2 size);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    [[nodiscard]] bool shouldClose() const;
+
+    // What is asked for between the first two is drawn by the second, and appears by the third.
+    void beginFrame();
+    void drawFrame();
+    void showFrame();
+
+    [[nodiscard]] glm::ivec2 size() const; // of what can be drawn on, in pixels
+    [[nodiscard]] GLFWwindow* handle() const { return m_window; }
+
+private:
+    GLFWwindow* m_window = nullptr;
+    double m_lastFrame = 0.0; // when it began, in seconds
+};
+
+}

@@ -1,0 +1,32 @@
+#include "worker/load_request.h"
+#include "files/feature_settings.h"
+#include <stdexcept>
+
+namespace worker {
+
+// "name=value"
+static void apply(const std::string& setting, Features& features)
+{
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+        throw std::invalid_argument("found the setting '" + setting + "', expected feature=value");
+    files::setFeature(features, setting.substr(0, equals), setting.substr(equals + 1));
+}
+
+files::SceneFile load(const RenderRequest& request)
+{
+    files::SceneFile file = files::loadSceneFile(request.scene);
+    for (const std::string& setting : request.settings)
+        apply(setting, file.config.features);
+    if (request.size != glm::ivec2(0))
+        file.config.size = request.size;
+    return file;
+}
+
+Trackball cameraOf(Config config, const RenderRequest& request)
+{
+    config.camera.rotation += glm::vec3(request.orbit, 0.0f);
+    return makeTrackball(config);
+}
+
+}

@@ -1,0 +1,95 @@
+// The probes of a window that shows a scene.
+#include "accel/counting_bvh.h"
+#include "bvh.h"
+#include "files/scene_file.h"
+#include "recursive.h"
+#include "render.h"
+#include "worker/follow_ray.h"
+#include "worker/probe.h"
+#include "worker/view.h"
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace worker {
+namespace {
+
+    // The tree refers to the scene: both stay where they are.
+    struct Opened {
+        explicit Opened(const OpenRequest& request)
+            : scene(files::loadSceneFile(request.scene).scene)
+            , features { .extra = { .enableBvhSahBinning = request.enableBvhSahBinning } }
+            , bvh(scene, features)
+        {
+        }
+
+        Scene scene;
+        Features features;
+        BVH bvh;
+    };
+
+    std::unique_ptr<Opened> opened;
+
+    Opened& withLights(const std::vector<Scene::SceneLight>& lights)
+    {
+        if (!opened)
+            throw std::logic_error("no scene is open");
+        opened->scene.lights = lights;
+        return *opened;
+    }
+
+    glm::vec3 tracePixel(const Scene& scene, const BVHInterface& bvh, const View& view, const glm::ivec2& pixel)
+    {
+        const auto index = static_cast<uint32_t>(pixel.y * view.size.x + pixel.x); // the seed that renderImage takes
+        RenderState state { scene, view.features, bvh, Sampler(index) };
+        return renderRays(state, generatePixelRays(state, view.camera, pixel, view.size));
+    }
+
+    std::vector<glm::ivec2> pixelsOfPass(const RowsRequest& request, int rowsEnd)
+    {
+        std::vector<glm::ivec2> pixels;
+        for (int y = request.firstRow; y < rowsEnd; y += request.stride)
+            for (int x = 0; x < request.view.size.x; x += request.stride)
+                if (isInPass(request.stride, x, y))
+                    pixels.emplace_back(x, y);
+        return pixels;
+    }
+
+    const Probe open("view.open", [](Call& call) {
+        opened.reset(); // before the next one takes its memory
+        opened = std::make_unique<Opened>(call.input.read<OpenRequest>());
+    });
+
+    const Probe rows("view.rows", [](Call& call) {
+        auto request = call.input.read<RowsRequest>();
+        Opened& now = withLights(request.view.lights);
+        const accel::CountingBVH counting { now.bvh };
+        const uint64_t raysBefore = accel::CountingBVH::numRays();
+        const auto start = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> budget { request.seconds };
+        const int rowsAtOnce = 2 * tbb::this_task_arena::max_concurrency() * request.stride;
+        Rows answer { .end = request.firstRow };
+        do {
+            answer.end = std::min(request.firstRow + rowsAtOnce, request.view.size.y);
+            const std::vector<glm::ivec2> pixels = pixelsOfPass(request, answer.end);
+            const std::size_t first = answer.pixels.size();
+            answer.pixels.resize(first + pixels.size());
+            tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {
+                answer.pixels[first + i] = tracePixel(now.scene, counting, request.view, pixels[i]);
+            });
+            request.firstRow = answer.end;
+        } while (answer.end < request.view.size.y && std::chrono::steady_clock::now() - start < budget);
+        answer.numRays = accel::CountingBVH::numRays() - raysBefore;
+        call.output << answer;
+    });
+
+    const Probe follow("view.follow", [](Call& call) {
+        const auto [view, pixel] = call.input.read<FollowRequest>();
+        const Opened& now = withLights(view.lights);
+        call.output << followRay(now.scene, view.features, now.bvh, view.camera, pixel, view.size);
+    });
+
+}
+}

@@ -1,0 +1,160 @@
+#include "../files/temporary_folder.h"
+#include "files/feature_settings.h"
+#include "files/picture.h"
+#include "opened_window.h"
+#include "submission/paths.h"
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <glm/gtx/component_wise.hpp>
+
+// The real window, on a real screen that nobody sees.
+
+namespace fs = std::filesystem;
+using tests::OpenedWindow;
+
+namespace {
+
+const fs::path source { submission::sourceDirectory };
+const fs::path reference = source / "reference";
+const fs::path cornell = source / "scenes" / "cornell_box.toml";
+
+const Features& featuresOf(const OpenedWindow& window)
+{
+    return window.application.document().settings.config.features;
+}
+
+const CameraConfig& cameraOf(const OpenedWindow& window)
+{
+    return window.application.document().settings.config.camera;
+}
+
+}
+
+TEST_CASE("Every switch of a feature can be pressed, and does what its name says", "[window]")
+{
+    OpenedWindow window { cornell, reference };
+    for (const std::string& name : files::featureNames()) {
+        const files::FeatureValue before = files::featureValue(featuresOf(window), name);
+        if (!std::holds_alternative<bool>(before))
+            continue;
+        INFO(name);
+        window.activate(name.c_str());
+        CHECK(files::featureValue(featuresOf(window), name) == files::FeatureValue(!std::get<bool>(before)));
+        window.pressKey("ctrl+z");
+        CHECK(files::featureValue(featuresOf(window), name) == before);
+        window.pressKey("ctrl+y");
+        CHECK(files::featureValue(featuresOf(window), name) != before);
+        window.pressKey("ctrl+z");
+    }
+    window.drawUntilTraced();
+    CHECK(window.application.message().empty());
+}
+
+TEST_CASE("Lights of the three kinds are added and removed", "[window]")
+{
+    OpenedWindow window { cornell, reference };
+    const auto& lights = window.application.document().settings.lights;
+    const std::size_t before = lights.size();
+    window.activate("features"); // closes the section, so that the next ones come into sight
+    window.activate("lights");
+    window.activate("add point");
+    window.activate("add segment");
+    window.activate("add parallelogram");
+    REQUIRE(lights.size() == before + 3);
+    CHECK(std::holds_alternative<PointLight>(lights[before]));
+    CHECK(std::holds_alternative<SegmentLight>(lights[before + 1]));
+    CHECK(std::holds_alternative<ParallelogramLight>(lights[before + 2]));
+    window.activate("remove", static_cast<int>(before) + 1);
+    REQUIRE(lights.size() == before + 2);
+    CHECK(std::holds_alternative<ParallelogramLight>(lights[before + 1]));
+    window.drawUntilTraced();
+}
+
+TEST_CASE("The mouse turns, moves and approaches, and a click alone does nothing", "[window]")
+{
+    OpenedWindow window { cornell, reference };
+    const CameraConfig before = cameraOf(window);
+    window.dragMouse({ 800, 300 }, { 800, 300 });
+    CHECK(cameraOf(window).rotation == before.rotation);
+    window.dragMouse({ 800, 300 }, { 900, 300 });
+    CHECK(cameraOf(window).rotation.y != before.rotation.y);
+    CHECK(cameraOf(window).lookAt == before.lookAt);
+    window.dragMouse({ 800, 300 }, { 820, 340 }, 3);
+    CHECK(cameraOf(window).lookAt != before.lookAt);
+    window.drawUntilTraced();
+}
+
+TEST_CASE("R follows the ray under the mouse, and Escape forgets it", "[window]")
+{
+    OpenedWindow window { cornell, reference };
+    window.drawUntilTraced();
+    window.moveMouse({ 800, 430 });
+    window.pressKey("r");
+    window.drawUntil([&] { return window.application.ray().isShowing(); });
+    const std::size_t all = window.application.ray().numShown();
+    CHECK(all > 10);
+    window.activate("features"); // closes the section, so that the next ones come into sight
+    window.activate("boxes");
+    CHECK(window.application.ray().numShown() < all);
+    window.pressKey("Escape");
+    CHECK_FALSE(window.application.ray().isShowing());
+}
+
+TEST_CASE("A submission that fails is reported, and replaced by a good one while the window lives on", "[window]")
+{
+    struct Failure {
+        std::string text, message;
+    };
+    const Failure failure = GENERATE(values<Failure>({
+        { "#include \"light.h\"\nthis does not compile\n", "light.cpp is left out" },
+        { "#include \"light.h\"\nglm::vec3 computeContributionPointLight(RenderState&, const PointLight&, const Ray&, "
+          "const HitInfo&) { return *static_cast<volatile float*>(nullptr) * glm::vec3(1.0f); }\n",
+            "Segmentation fault" },
+        { "#include \"light.h\"\nglm::vec3 computeContributionPointLight(RenderState&, const PointLight&, const Ray&, "
+          "const HitInfo&) { for (volatile bool forever = true; forever;) { } return {}; }\n",
+            "no answer in time" },
+    }));
+    const files_test::TemporaryFolder folder;
+    fs::copy(reference, folder / "", fs::copy_options::recursive);
+    const fs::path light = folder.write("light.cpp", failure.text);
+    OpenedWindow window { cornell, folder / "" };
+    window.drawUntil([&] { return window.application.message().find(failure.message) != std::string::npos; });
+    fs::copy_file(reference / "light.cpp", light, fs::copy_options::overwrite_existing);
+    window.drawUntil([&] { return window.application.isPictureDone() && window.application.message().empty(); });
+}
+
+TEST_CASE("A scene that is saved is rendered as the window shows it", "[window]")
+{
+    const files_test::TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder / "");
+    gui::Picture shown;
+    {
+        OpenedWindow window { cornell, reference };
+        window.dragMouse({ 800, 300 }, { 860, 330 });
+        window.activate("features");
+        window.activate("lights");
+        window.activate("add point");
+        window.activate("lights");
+        window.activate("save");
+        window.drawUntilTraced();
+        window.activate("save scene");
+        window.activate("save picture");
+        shown = window.application.picture();
+    }
+    fs::current_path(before);
+
+    OpenedWindow again { folder / "saved.toml", reference };
+    again.drawUntilTraced();
+    CHECK(again.application.picture().size == shown.size);
+    CHECK(again.application.picture().pixels == shown.pixels);
+    const auto saved = files::loadPicture(folder / "saved.png");
+    REQUIRE(saved->width == shown.size.x);
+    REQUIRE(saved->height == shown.size.y);
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+        const glm::vec3 color = glm::clamp(shown.pixels[i], 0.0f, 1.0f);
+        largest = std::max(largest, glm::compMax(glm::abs(color - saved->get_pixel(static_cast<int>(i)))));
+    }
+    CHECK(largest <= 0.5f / 255.0f + 1e-6f); // half a step of eight bits, and rounding
+}
