@@ -2,7 +2,7 @@
 #include "app/progress_bar.h"
 #include "app/save_debug_ray.h"
 #include "app/save_picture.h"
-#include "submission/paths.h"
+#include "submission/named_folder.h"
 #include "submission/submission.h"
 #include "worker/debug_ray.h"
 #include "worker/process.h"
@@ -46,13 +46,6 @@ void declare(CLI::App& cli, Options& options)
     cli.add_option(
         "--debug-ray", options.debugRay, "Draw what the ray through this pixel does, X,Y from the bottom left");
     cli.footer("Exit codes: 0 done, 2 bad input, 70 the submission's code failed.");
-}
-
-fs::path submissionFolder(const std::string& with)
-{
-    if (with == "student" || with == "reference")
-        return fs::path(submission::sourceDirectory) / with;
-    return with;
 }
 
 // Two numbers with a character between them.
@@ -144,7 +137,7 @@ void report(const Options& options, const fs::path& output, const worker::Render
 
 fs::path build(const Options& options)
 {
-    submission::Submission submission { submissionFolder(options.with) };
+    submission::Submission submission { submission::namedFolder(options.with) };
     fs::path worker = submission.buildWholeWorker();
     for (const std::string& name : submission.names())
         if (const submission::Part& part = submission.part(name); part.state == submission::State::Refused)

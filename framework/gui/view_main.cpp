@@ -3,6 +3,7 @@
 #include "gui/application.h"
 #include "gui/layout_file.h"
 #include "gui/window.h"
+#include "submission/named_folder.h"
 #include "submission/paths.h"
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -19,19 +20,12 @@ struct Options {
     std::string with = "reference";
 };
 
-fs::path submissionFolder(const std::string& with)
-{
-    if (with == "student" || with == "reference")
-        return fs::path(submission::sourceDirectory) / with;
-    return with;
-}
-
 void run(const Options& options)
 {
     const std::string layout = gui::layoutFile();
     gui::Window window { "Raywork", { 1280, 720 } };
     ImGui::GetIO().IniFilename = layout.empty() ? nullptr : layout.c_str();
-    gui::Application application { options.scene, submissionFolder(options.with) };
+    gui::Application application { options.scene, submission::namedFolder(options.with) };
     while (!window.shouldClose()) {
         window.beginFrame();
         application.frame(window.size());
