@@ -70,6 +70,7 @@ struct ExtraFeatures {
     bool enableMotionBlur = false;
 
     uint32_t numGlossySamples = 1; // rays a glossy reflection
+    uint32_t maxDepth = 6; // rays that follow one another from a pixel's on, mirrored or passed through; 6 at most
     bool enableProposedShadowFormula = false; // light * kd * (1 - t) + light * t behind transparent surfaces
 };
 

@@ -8,7 +8,8 @@
 // Provided: the mean of the light along the rays.
 [[nodiscard]] glm::vec3 renderRays(RenderState& state, std::span<const Ray> rays, int rayDepth = 0);
 
-// Provided: the light along a ray. Below depth 6 adds the mirrored light and blends with what lies behind.
+// Provided: the light along a ray. Below depth 6 (features.extra.maxDepth) adds the mirrored light and
+// blends with what lies behind.
 [[nodiscard]] glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth = 0);
 
 // To implement: from the hit point, the direction mirrored about the normal, unit; t = FLT_MAX. The origin is moved

@@ -1,4 +1,5 @@
 #include "accel/counting_bvh.h"
+#include "debug/cause.h"
 #include <mutex>
 #include <set>
 
@@ -7,8 +8,8 @@ namespace {
 
     struct Registry {
         std::mutex mutex;
-        std::set<const uint64_t*> running;
-        uint64_t ended = 0;
+        std::set<const RayCounts*> running;
+        RayCounts ended;
     };
 
     Registry& registry()
@@ -32,17 +33,25 @@ CountingBVH::Counter::~Counter()
     registry().ended += rays;
 }
 
+uint64_t& CountingBVH::Counter::ofCause()
+{
+    const debug::Cause& cause = debug::Because::now();
+    if (cause.way == debug::Way::Shadow)
+        return rays.shadow;
+    return cause.bounce == 0 ? rays.camera : rays.bounced;
+}
+
 CountingBVH::Counter& CountingBVH::counter()
 {
     thread_local Counter counter;
     return counter;
 }
 
-uint64_t CountingBVH::numRays()
+RayCounts CountingBVH::rayCounts()
 {
     const std::scoped_lock lock(registry().mutex);
-    uint64_t sum = registry().ended;
-    for (const uint64_t* rays : registry().running)
+    RayCounts sum = registry().ended;
+    for (const RayCounts* rays : registry().running)
         sum += *rays;
     return sum;
 }

@@ -1,6 +1,6 @@
 #pragma once
+#include "accel/ray_counts.h"
 #include "bvh_interface.h"
-#include <cstdint>
 #include <utility>
 
 namespace accel {
@@ -15,7 +15,7 @@ public:
 
     bool intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const override
     {
-        counter().rays += 1;
+        ++counter().ofCause();
         return m_bvh.intersect(state, ray, hitInfo);
     }
 
@@ -27,14 +27,15 @@ public:
     [[nodiscard]] uint32_t numLeaves() const override { return m_bvh.numLeaves(); }
 
     // Of all threads, since the process began. Only while nobody traces.
-    [[nodiscard]] static uint64_t numRays();
+    [[nodiscard]] static RayCounts rayCounts();
 
 private:
     // One a thread, so that counting neither waits nor shares a cache line; threads that end leave their count behind.
     struct alignas(64) Counter {
         Counter();
         ~Counter();
-        uint64_t rays = 0;
+        uint64_t& ofCause(); // the one that a ray traced now is counted by
+        RayCounts rays;
     };
 
     static Counter& counter();

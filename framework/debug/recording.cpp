@@ -25,19 +25,19 @@ template <typename Thing> void Recording::keep(std::vector<Thing>& things, const
 void Recording::add(const Drawn& shape)
 {
     if (s_innermost)
-        s_innermost->keep(s_innermost->m_shapes, Shape { shape, s_innermost->m_cause });
+        s_innermost->keep(s_innermost->m_shapes, Shape { shape, Because::now() });
 }
 
 void Recording::addHit(const Ray& ray, const HitInfo& hitInfo)
 {
     if (s_innermost)
-        s_innermost->keep(s_innermost->m_hits, Hit { ray, hitInfo, s_innermost->m_cause });
+        s_innermost->keep(s_innermost->m_hits, Hit { ray, hitInfo, Because::now() });
 }
 
 void Recording::addLookup(const Image& image, const glm::vec2& texCoord)
 {
     if (s_innermost)
-        s_innermost->keep(s_innermost->m_lookups, Lookup { &image, texCoord, s_innermost->m_cause });
+        s_innermost->keep(s_innermost->m_lookups, Lookup { &image, texCoord, Because::now() });
 }
 
 }

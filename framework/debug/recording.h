@@ -1,5 +1,6 @@
 #pragma once
 #include "common.h"
+#include "debug/cause.h"
 #include <variant>
 #include <vector>
 
@@ -26,14 +27,6 @@ struct DrawnSphere {
 };
 using Drawn = std::variant<DrawnRay, DrawnBox, DrawnTriangle, DrawnSphere>;
 
-// On whose way something was drawn.
-enum class Way : uint8_t { Path, Shadow }; // from the camera on, or from a surface to a light
-struct Cause {
-    int bounce = 0; // as deep as renderRay: 0 is the camera's ray
-    Way way = Way::Path;
-
-    [[nodiscard]] bool operator==(const Cause&) const = default;
-};
 struct Shape {
     Drawn drawn;
     Cause cause;
@@ -74,7 +67,6 @@ public:
     [[nodiscard]] static bool isOpen() { return s_innermost != nullptr; }
 
 private:
-    friend class Because;
     template <typename Thing> void keep(std::vector<Thing>& things, const Thing& thing);
 
     std::size_t m_capacity;
@@ -82,44 +74,9 @@ private:
     std::vector<Shape> m_shapes;
     std::vector<Hit> m_hits;
     std::vector<Lookup> m_lookups;
-    Cause m_cause;
     Recording* m_outer;
 
     static inline thread_local Recording* s_innermost = nullptr;
-};
-
-// What is drawn while it lives has this cause. Does nothing where nobody listens.
-class Because {
-public:
-    explicit Because(int bounce)
-        : m_recording(Recording::s_innermost)
-    {
-        if (m_recording)
-            set({ bounce, Way::Path });
-    }
-    explicit Because(Way way)
-        : m_recording(Recording::s_innermost)
-    {
-        if (m_recording)
-            set({ m_recording->m_cause.bounce, way });
-    }
-    ~Because()
-    {
-        if (m_recording)
-            m_recording->m_cause = m_before;
-    }
-    Because(const Because&) = delete;
-    Because& operator=(const Because&) = delete;
-
-private:
-    void set(const Cause& cause)
-    {
-        m_before = m_recording->m_cause;
-        m_recording->m_cause = cause;
-    }
-
-    Recording* m_recording;
-    Cause m_before;
 };
 
 }

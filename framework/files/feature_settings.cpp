@@ -7,7 +7,7 @@
 namespace files {
 namespace {
 
-    constexpr int64_t maxSamples = 1 << 20;
+    constexpr CountRange samples { 1, 1 << 20 };
 
     using Member = std::variant<bool Features::*, uint32_t Features::*, ShadingModel Features::*, bool ExtraFeatures::*,
         uint32_t ExtraFeatures::*>;
@@ -15,6 +15,7 @@ namespace {
     struct Setting {
         std::string_view name;
         Member member;
+        CountRange range = samples; // of a count
     };
 
     constexpr auto settings = std::to_array<Setting>({
@@ -39,6 +40,7 @@ namespace {
         { "mipmap_filtering", &ExtraFeatures::enableMipmapTextureFiltering },
         { "motion_blur", &ExtraFeatures::enableMotionBlur },
         { "glossy_samples", &ExtraFeatures::numGlossySamples },
+        { "max_depth", &ExtraFeatures::maxDepth, { 0, 6 } },
         { "proposed_shadow_formula", &ExtraFeatures::enableProposedShadowFormula },
     });
 
@@ -62,33 +64,34 @@ namespace {
             value);
     }
 
-    [[noreturn]] void refuse(std::string_view name, const FeatureValue& value, const std::string& expected)
+    [[noreturn]] void refuse(const Setting& setting, const FeatureValue& value, const std::string& expected)
     {
-        throw std::invalid_argument(std::string(name) + ": found " + shown(value) + ", expected " + expected);
+        throw std::invalid_argument(std::string(setting.name) + ": found " + shown(value) + ", expected " + expected);
     }
 
-    void assign(bool& target, std::string_view name, const FeatureValue& value)
+    void assign(bool& target, const Setting& setting, const FeatureValue& value)
     {
         const bool* found = std::get_if<bool>(&value);
         if (found == nullptr)
-            refuse(name, value, "true or false");
+            refuse(setting, value, "true or false");
         target = *found;
     }
 
-    void assign(uint32_t& target, std::string_view name, const FeatureValue& value)
+    void assign(uint32_t& target, const Setting& setting, const FeatureValue& value)
     {
+        const auto [least, most] = setting.range;
         const int64_t* found = std::get_if<int64_t>(&value);
-        if (found == nullptr || *found < 1 || *found > maxSamples)
-            refuse(name, value, "a count from 1 to " + std::to_string(maxSamples));
+        if (found == nullptr || *found < least || *found > most)
+            refuse(setting, value, "a count from " + std::to_string(least) + " to " + std::to_string(most));
         target = static_cast<uint32_t>(*found);
     }
 
-    void assign(ShadingModel& target, std::string_view name, const FeatureValue& value)
+    void assign(ShadingModel& target, const Setting& setting, const FeatureValue& value)
     {
         const std::string* found = std::get_if<std::string>(&value);
         const auto model = found ? std::ranges::find(shadingModels, *found) : shadingModels.end();
         if (model == shadingModels.end())
-            refuse(name, value, "one of " + listed(shadingModels));
+            refuse(setting, value, "one of " + listed(shadingModels));
         target = static_cast<ShadingModel>(model - shadingModels.begin());
     }
 
@@ -132,6 +135,11 @@ std::vector<std::string> shadingModelNames()
     return { shadingModels.begin(), shadingModels.end() };
 }
 
+CountRange countRange(std::string_view name)
+{
+    return std::ranges::find(settings, name, &Setting::name)->range;
+}
+
 FeatureValue featureValue(const Features& features, std::string_view name)
 {
     const auto setting = std::ranges::find(settings, name, &Setting::name);
@@ -146,8 +154,8 @@ void setFeatureValue(Features& features, std::string_view name, const FeatureVal
     if (setting == settings.end())
         throw std::invalid_argument(
             "found the unknown feature \"" + std::string(name) + "\", expected one of " + listed(featureNames()));
-    const auto set = make_visitor([&](auto Features::*member) { assign(features.*member, name, value); },
-        [&](auto ExtraFeatures::*member) { assign(features.extra.*member, name, value); });
+    const auto set = make_visitor([&](auto Features::*member) { assign(features.*member, *setting, value); },
+        [&](auto ExtraFeatures::*member) { assign(features.extra.*member, *setting, value); });
     std::visit(set, setting->member);
 }
 

@@ -16,6 +16,13 @@ namespace files {
 // Of a switch a bool, of a count an integer, of the shading model a name.
 using FeatureValue = std::variant<bool, int64_t, std::string>;
 
+struct CountRange {
+    int64_t least, most;
+};
+
+// Of a count that featureNames() has.
+[[nodiscard]] CountRange countRange(std::string_view name);
+
 // The value of one that featureNames() has.
 [[nodiscard]] FeatureValue featureValue(const Features& features, std::string_view name);
 

@@ -21,9 +21,10 @@ Application::Application(const fs::path& scene, const fs::path& submission)
 void Application::frame(glm::ivec2 windowSize)
 {
     m_first = { sideWidth * ImGui::GetIO().FontGlobalScale, 0.0f };
-    m_last = glm::max(glm::vec2(windowSize), m_first + 16.0f);
+    m_last = glm::max(glm::vec2(windowSize) - glm::vec2(0.0f, ProfilerStrip::height()), m_first + 16.0f);
     control();
     sidePanel();
+    m_profiler.show(m_picture, { 0.0f, m_last.y }, windowSize);
     helpPanel(m_showsHelp);
     if (const auto& ray = m_ray.followed()) {
         m_textureSpace.show(*ray, m_document.scene());
@@ -109,12 +110,6 @@ void Application::sidePanel()
 
 void Application::status()
 {
-    const double millions = 1e-6 * static_cast<double>(m_picture.numRays);
-    if (m_isRasterised)
-        ImGui::Text("%.0f frames a second", static_cast<double>(ImGui::GetIO().Framerate));
-    else
-        ImGui::Text("%s in %.2f s, %.2f million rays a second", isPictureDone() ? "traced" : "tracing",
-            m_picture.seconds, millions / std::max(m_picture.seconds, 1e-9));
     if (ImGui::RadioButton("traced", !m_isRasterised))
         setRasterised(false);
     ImGui::SameLine();

@@ -2,6 +2,7 @@
 #include "gui/document.h"
 #include "gui/light_handles.h"
 #include "gui/picture_texture.h"
+#include "gui/profiler_strip.h"
 #include "gui/raster_view.h"
 #include "gui/ray_panel.h"
 #include "gui/save_panel.h"
@@ -47,6 +48,7 @@ private:
     std::optional<RasterView> m_raster; // of the document, once it has been looked at
     RayPanel m_ray;
     SavePanel m_save;
+    ProfilerStrip m_profiler;
     TexturePanel m_textureSpace;
     LightHandles m_lightHandles;
     std::optional<Settings> m_shown; // what the tracer was asked for last

@@ -16,7 +16,8 @@ struct Picture {
     uint64_t number = 0; // of the view
     bool isDone = false;
     double seconds = 0.0; // since the view was asked for
-    uint64_t numRays = 0;
+    accel::RayCounts numRays;
+    std::size_t memory = 0; // bytes that the worker holds; 0: unknown
 };
 
 struct Wanted {

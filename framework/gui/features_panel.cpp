@@ -15,10 +15,12 @@ namespace {
 
     files::FeatureValue edit(const std::string& name, int64_t value)
     {
-        constexpr int most = 1024;
+        const auto range = files::countRange(name);
+        const int least = static_cast<int>(range.least);
+        const int most = static_cast<int>(std::min<int64_t>(range.most, 1024)); // what a window can be waited for
         int count = static_cast<int>(value);
-        ImGui::SliderInt(name.c_str(), &count, 1, most, "%d", ImGuiSliderFlags_Logarithmic);
-        return int64_t { std::clamp(count, 1, most) };
+        ImGui::SliderInt(name.c_str(), &count, least, most, "%d", least > 0 ? ImGuiSliderFlags_Logarithmic : 0);
+        return int64_t { std::clamp(count, least, most) };
     }
 
     files::FeatureValue edit(const std::string& name, std::string value)

@@ -24,6 +24,7 @@ void Refinement::add(const worker::Rows& rows)
                 fill({ x, y }, *color++);
             }
     m_numRays += rows.numRays;
+    m_memory = rows.memory;
     m_request.firstRow = rows.end;
     if (rows.end == m_request.view.size.y) {
         m_request.firstRow = 0;
@@ -45,7 +46,7 @@ void Refinement::fill(glm::ivec2 pixel, const glm::vec3& color)
 Picture Refinement::picture() const
 {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
-    return { m_request.view.size, m_pixels, m_number, isDone(), elapsed.count(), m_numRays };
+    return { m_request.view.size, m_pixels, m_number, isDone(), elapsed.count(), m_numRays, m_memory };
 }
 
 }

@@ -24,7 +24,8 @@ private:
     worker::RowsRequest m_request;
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
     std::vector<glm::vec3> m_pixels;
-    uint64_t m_numRays = 0;
+    accel::RayCounts m_numRays;
+    std::size_t m_memory = 0;
 };
 
 }

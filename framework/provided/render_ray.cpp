@@ -7,7 +7,6 @@
 
 glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)
 {
-    constexpr int maxDepth = 6;
     const debug::Because bounce(rayDepth);
 
     HitInfo hitInfo;
@@ -19,7 +18,7 @@ glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)
     debug::Recording::addHit(ray, hitInfo);
 
     glm::vec3 color = computeLightContribution(state, ray, hitInfo);
-    if (rayDepth >= maxDepth)
+    if (rayDepth >= static_cast<int>(state.features.extra.maxDepth))
         return color;
     if (state.features.enableReflections && hitInfo.material.ks != glm::vec3(0.0f)) {
         if (state.features.extra.enableGlossyReflection)

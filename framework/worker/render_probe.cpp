@@ -48,12 +48,12 @@ namespace {
         std::optional<ProgressReporter> reporter;
         if (request.wantsProgress)
             reporter.emplace(screen, call.progress);
-        const uint64_t raysBefore = accel::CountingBVH::numRays();
+        const accel::RayCounts raysBefore = accel::CountingBVH::rayCounts();
         const auto start = std::chrono::steady_clock::now();
         renderImage(scene, counting, config.features, cameraOf(config, request), screen);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         reporter.reset();
-        const uint64_t numRays = accel::CountingBVH::numRays() - raysBefore;
+        const accel::RayCounts numRays = accel::CountingBVH::rayCounts() - raysBefore;
         call.output << Rendering { config.size, std::move(screen.pixels()), elapsed.count(), numRays };
     });
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "accel/ray_counts.h"
 #include "worker/message.h"
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -22,7 +23,7 @@ struct Rendering {
     glm::ivec2 size { 0 };
     std::vector<glm::vec3> pixels; // row 0 at the bottom
     double seconds = 0.0; // of rendering alone
-    uint64_t numRays = 0; // of all kinds
+    accel::RayCounts numRays;
 };
 
 inline Message& operator<<(Message& message, const RenderRequest& r)

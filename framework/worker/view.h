@@ -1,4 +1,5 @@
 #pragma once
+#include "accel/ray_counts.h"
 #include "scene.h"
 #include "worker/message.h"
 #include <framework/trackball.h>
@@ -41,7 +42,8 @@ struct RowsRequest {
 struct Rows {
     int end = 0; // the first row that is not among them
     std::vector<glm::vec3> pixels; // of the pass, row by row
-    uint64_t numRays = 0;
+    accel::RayCounts numRays;
+    std::size_t memory = 0; // bytes that the worker holds; 0: unknown
 };
 
 // The probe view.follow answers a DebugRay.
@@ -82,12 +84,12 @@ inline Reader& operator>>(Reader& reader, RowsRequest& r)
 
 inline Message& operator<<(Message& message, const Rows& r)
 {
-    return message << r.end << r.pixels << r.numRays;
+    return message << r.end << r.pixels << r.numRays << r.memory;
 }
 
 inline Reader& operator>>(Reader& reader, Rows& r)
 {
-    return reader >> r.end >> r.pixels >> r.numRays;
+    return reader >> r.end >> r.pixels >> r.numRays >> r.memory;
 }
 
 inline Message& operator<<(Message& message, const FollowRequest& r)

@@ -4,6 +4,7 @@
 #include "files/scene_file.h"
 #include "recursive.h"
 #include "render.h"
+#include "values/resident_memory.h"
 #include "worker/follow_ray.h"
 #include "worker/probe.h"
 #include "worker/view.h"
@@ -66,7 +67,7 @@ namespace {
         auto request = call.input.read<RowsRequest>();
         Opened& now = withLights(request.view.lights);
         const accel::CountingBVH counting { now.bvh };
-        const uint64_t raysBefore = accel::CountingBVH::numRays();
+        const accel::RayCounts raysBefore = accel::CountingBVH::rayCounts();
         const auto start = std::chrono::steady_clock::now();
         const std::chrono::duration<double> budget { request.seconds };
         const int rowsAtOnce = 2 * tbb::this_task_arena::max_concurrency() * request.stride;
@@ -81,7 +82,8 @@ namespace {
             });
             request.firstRow = answer.end;
         } while (answer.end < request.view.size.y && std::chrono::steady_clock::now() - start < budget);
-        answer.numRays = accel::CountingBVH::numRays() - raysBefore;
+        answer.numRays = accel::CountingBVH::rayCounts() - raysBefore;
+        answer.memory = values::residentMemory();
         call.output << answer;
     });
 

@@ -44,15 +44,20 @@ Scene panes(int count, float alpha)
     return scene;
 }
 
-// How many rays a ray becomes.
-uint64_t countRays(Scene scene, const Features& features, int depth = 0)
+// What a ray becomes.
+accel::RayCounts countByKind(Scene scene, const Features& features, int depth = 0)
 {
     World world(std::move(scene), features);
     const accel::CountingBVH counting(world.bvh);
     RenderState state { world.scene, world.features, counting, Sampler(1) };
-    const uint64_t before = accel::CountingBVH::numRays();
+    const accel::RayCounts before = accel::CountingBVH::rayCounts();
     (void)renderRay(state, forward, depth);
-    return accel::CountingBVH::numRays() - before;
+    return accel::CountingBVH::rayCounts() - before;
+}
+
+uint64_t countRays(Scene scene, const Features& features, int depth = 0)
+{
+    return countByKind(std::move(scene), features, depth).total();
 }
 
 glm::vec3 colorOf(Scene scene, const Features& features = flat(), int depth = 0)
@@ -192,6 +197,28 @@ TEST_CASE("Facing mirrors show the geometric series of their reflectance", "[rec
             sum += std::pow(static_cast<double>(reflectance), depth) * glm::dvec3(kd);
         CHECK(distance(colorOf(facingMirrors(glm::vec3(reflectance))), sum) < fewRoundings);
     }
+}
+
+TEST_CASE("Rays follow one another as often as the features allow", "[recursive]")
+{
+    for (uint32_t most = 0; most <= maxDepth; ++most) {
+        Features features = flat();
+        features.extra.maxDepth = most;
+        CHECK(countRays(facingMirrors(glm::vec3(1.0f)), features) == most + 1);
+        CHECK(countRays(panes(10, 0.0f), features) == most + 1);
+    }
+}
+
+TEST_CASE("Rays are counted by why they are traced", "[recursive]")
+{
+    Features features = flat();
+    features.enableShadows = true;
+    features.enableTransparency = false; // a shadow ray ends at the first surface: one a light and hit
+    const accel::RayCounts counts = countByKind(facingMirrors(glm::vec3(1.0f)), features);
+    CHECK(counts.camera == 1);
+    CHECK(counts.bounced == maxDepth);
+    CHECK(counts.shadow == maxDepth + 1);
+    CHECK(counts.total() == counts.camera + counts.bounced + counts.shadow);
 }
 
 TEST_CASE("A mirror tints by its ks, channel by channel", "[recursive]")

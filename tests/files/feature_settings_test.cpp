@@ -8,7 +8,7 @@ using Catch::Matchers::Equals;
 TEST_CASE("Every feature has one name", "[files]")
 {
     const auto names = files::featureNames();
-    CHECK(names.size() == 22);
+    CHECK(names.size() == 23);
     CHECK(std::set(names.begin(), names.end()).size() == names.size());
 }
 
@@ -20,11 +20,13 @@ TEST_CASE("Text sets the feature that it names and no other", "[files]")
     files::setFeature(features, "shading_model", "linear_gradient_comparison");
     files::setFeature(features, "pixel_samples", "1048576");
     files::setFeature(features, "glossy_samples", "7");
+    files::setFeature(features, "max_depth", "0");
     CHECK(features.enableNormalInterp);
     CHECK(features.extra.enableMotionBlur);
     CHECK(features.shadingModel == ShadingModel::LinearGradientComparison);
     CHECK(features.numPixelSamples == 1048576);
     CHECK(features.extra.numGlossySamples == 7);
+    CHECK(features.extra.maxDepth == 0);
     CHECK_FALSE(features.enableShading);
     CHECK_FALSE(features.extra.enableBloomEffect);
 
@@ -54,6 +56,7 @@ TEST_CASE("A bad feature is refused with what was found and expected", "[files]"
     const auto expectsCount = Contains("expected a count from 1 to 1048576");
     for (const char* value : { "0", "-1", "1048577", "99999999999999999999", "4.5", "true", "", "4x" })
         CHECK_THROWS_WITH(set("pixel_samples", value), expectsCount);
+    CHECK_THROWS_WITH(set("max_depth", "7"), Equals("max_depth: found 7, expected a count from 0 to 6"));
     CHECK_THROWS_WITH(set("shading_model", "Phong"), Contains("found \"Phong\", expected one of lambertian, phong,"));
     CHECK_THROWS_WITH(set("shadow", "true"), Contains("unknown feature \"shadow\", expected one of shading, "));
     CHECK_FALSE(features.enableShading);

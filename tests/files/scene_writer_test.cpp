@@ -27,7 +27,9 @@ Config changed(Config config)
 {
     for (const std::string& name : files::featureNames()) {
         const auto change = make_visitor([](bool on) -> files::FeatureValue { return !on; },
-            [](int64_t count) -> files::FeatureValue { return count + 1; },
+            [&](int64_t count) -> files::FeatureValue {
+                return count == files::countRange(name).most ? count - 1 : count + 1;
+            },
             [](const std::string& model) -> files::FeatureValue {
                 return std::string(model == "phong" ? "linear_gradient_comparison" : "phong");
             });

@@ -90,9 +90,9 @@ TEST_CASE("The counting tree counts the rays of all threads and changes no pixel
     for (const std::size_t numThreads : { 1u, 4u }) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism, numThreads);
         Screen screen(file.config.size);
-        const uint64_t before = accel::CountingBVH::numRays();
+        const accel::RayCounts before = accel::CountingBVH::rayCounts();
         renderImage(world.scene, counting, world.features, makeTrackball(file.config), screen);
-        CHECK(accel::CountingBVH::numRays() - before == 4u * width * height); // camera rays alone
+        CHECK((accel::CountingBVH::rayCounts() - before).total() == 4u * width * height); // camera rays alone
         CHECK(screen.pixels() == render(file, 1));
     }
     CHECK(counting.numLevels() == world.bvh.numLevels());
@@ -104,7 +104,7 @@ TEST_CASE("The rays of a thread that has ended still count", "[render_image]")
 {
     World world;
     const accel::CountingBVH counting(world.bvh);
-    const uint64_t before = accel::CountingBVH::numRays();
+    const accel::RayCounts before = accel::CountingBVH::rayCounts();
     const auto trace = [&] {
         Ray ray;
         HitInfo hit;
@@ -113,5 +113,5 @@ TEST_CASE("The rays of a thread that has ended still count", "[render_image]")
     for (int i = 0; i < 5; ++i)
         std::thread(trace).join();
     trace();
-    CHECK(accel::CountingBVH::numRays() - before == 6);
+    CHECK((accel::CountingBVH::rayCounts() - before).total() == 6);
 }

@@ -26,12 +26,11 @@ std::vector<std::string> sceneNames()
     return names;
 }
 
-// The first line of the side panel tells of times.
+// The profiler's strip along the bottom tells of times.
 gui::Picture withoutFigures(gui::Picture picture)
 {
-    constexpr glm::ivec2 size { 350, 24 };
-    for (int y = picture.size.y - size.y; y < picture.size.y; ++y)
-        std::fill_n(picture.pixels.begin() + y * picture.size.x, size.x, glm::vec3(0.0f));
+    constexpr int height = 32;
+    std::fill_n(picture.pixels.begin(), height * picture.size.x, glm::vec3(0.0f));
     return picture;
 }
 

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+
+namespace accel {
+
+// Rays by why they were traced.
+struct RayCounts {
+    uint64_t camera = 0; // through a pixel
+    uint64_t bounced = 0; // mirrored, or passed through a surface
+    uint64_t shadow = 0; // towards a light
+
+    [[nodiscard]] uint64_t total() const { return camera + bounced + shadow; }
+
+    RayCounts& operator+=(const RayCounts& other)
+    {
+        camera += other.camera;
+        bounced += other.bounced;
+        shadow += other.shadow;
+        return *this;
+    }
+    [[nodiscard]] RayCounts operator-(const RayCounts& before) const
+    {
+        return { camera - before.camera, bounced - before.bounced, shadow - before.shadow };
+    }
+};
+
+}
