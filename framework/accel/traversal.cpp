@@ -1,6 +1,7 @@
 #include "accel/traversal.h"
 #include "accel/box_test.h"
 #include "accel/builder.h"
+#include "debug/tally.h"
 #include <array>
 #include <span>
 #include <utility>
@@ -16,8 +17,16 @@ namespace {
         float entry; // where the ray enters the node's box
     };
 
+    // Stands in for debug::Tally where nobody counts.
+    struct NoTally {
+        static void addNode() { }
+        static void addTriangles(std::size_t) { }
+    };
+
+    template <typename Tally>
     const Primitive* closestOf(std::span<const Primitive> primitives, Ray& ray, TriangleHit& hit)
     {
+        Tally::addTriangles(primitives.size());
         const Primitive* closest = nullptr;
         for (const Primitive& p : primitives) {
             if (testTriangle(p.v0.position, p.v1.position, p.v2.position, ray, hit)) {
@@ -30,12 +39,12 @@ namespace {
 
 }
 
-const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit)
+template <typename Tally> static const Primitive* search(const BVHInterface& bvh, Ray& ray, TriangleHit& hit)
 {
     const std::span<const Node> nodes = bvh.nodes();
     const std::span<const Primitive> primitives = bvh.primitives();
     if (nodes.empty() || bvh.numLevels() > maxLevels) // somebody else's tree, too deep for the stack
-        return closestOf(primitives, ray, hit);
+        return closestOf<Tally>(primitives, ray, hit);
 
     const RayForBoxes forBoxes { ray };
     std::array<Visit, maxLevels> stack; // one entry a level at most: the farther sibling
@@ -46,10 +55,11 @@ const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit
 
     const Primitive* closest = nullptr;
     for (;;) {
+        Tally::addNode();
         const Node& node = nodes[current.node];
         if (node.isLeaf()) {
             const auto leaf = primitives.subspan(node.primitiveOffset(), node.primitiveCount());
-            if (const Primitive* closer = closestOf(leaf, ray, hit))
+            if (const Primitive* closer = closestOf<Tally>(leaf, ray, hit))
                 closest = closer;
         } else {
             Visit near { node.leftChild(), 0.0f };
@@ -72,6 +82,11 @@ const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit
             current = stack[--stackSize];
         } while (current.entry > ray.t);
     }
+}
+
+const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit)
+{
+    return debug::Tally::isOpen() ? search<debug::Tally>(bvh, ray, hit) : search<NoTally>(bvh, ray, hit);
 }
 
 }
