@@ -1,4 +1,5 @@
 #pragma once
+#include "debug/quantity.h"
 #include "scene.h"
 #include "worker/message.h"
 #include <framework/trackball.h>
@@ -19,6 +20,7 @@ struct View {
     Features features;
     std::vector<Scene::SceneLight> lights;
     glm::ivec2 size { 0 }; // pixels
+    debug::Quantity quantity = debug::Quantity::Color;
 };
 
 // A picture comes in passes: each has the pixels whose coordinates are multiples of its stride, but for those of the
@@ -40,7 +42,7 @@ struct RowsRequest {
 
 struct Rows {
     int end = 0; // the first row that is not among them
-    std::vector<glm::vec3> pixels; // of the pass, row by row
+    std::vector<glm::vec3> pixels; // of the pass, row by row: the quantity, raw
     uint64_t numRays = 0;
 };
 
@@ -62,12 +64,12 @@ inline Reader& operator>>(Reader& reader, OpenRequest& r)
 
 inline Message& operator<<(Message& message, const View& v)
 {
-    return message << v.camera << v.features << v.lights << v.size;
+    return message << v.camera << v.features << v.lights << v.size << v.quantity;
 }
 
 inline Reader& operator>>(Reader& reader, View& v)
 {
-    return reader >> v.camera >> v.features >> v.lights >> v.size;
+    return reader >> v.camera >> v.features >> v.lights >> v.size >> v.quantity;
 }
 
 inline Message& operator<<(Message& message, const RowsRequest& r)
