@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <glm/gtx/component_wise.hpp>
 #include <tbb/parallel_for.h>
+#include <thread>
 
 using namespace tests;
 using debug::Quantity;
@@ -188,6 +189,29 @@ TEST_CASE("A pixel's samples and rays are counted", "[measure]")
     CHECK(seen.measure(Quantity::Samples, { 3, 2 }) == glm::vec3(25, 0, 0));
     CHECK(seen.measure(Quantity::Rays, size / 2) == glm::vec3(25 * raysOfSample, 0, 0));
     CHECK(seen.measure(Quantity::Rays, { 0, 0 }) == glm::vec3(25, 0, 0));
+}
+
+TEST_CASE("A pixel's rays are not those that another thread sends meanwhile", "[measure]")
+{
+    struct Disturbed : BVH {
+        using BVH::BVH;
+        bool intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const override
+        {
+            std::thread([] {
+                World elsewhere;
+                Ray other;
+                HitInfo nothing {};
+                (void)accel::CountingBVH(elsewhere.bvh).intersect(elsewhere.state, other, nothing);
+            }).join();
+            return BVH::intersect(state, ray, hitInfo);
+        }
+    };
+    const Seen seen { randomTriangles(4), {} };
+    Disturbed bvh { seen.world.scene, {} };
+    const accel::CountingBVH counting { bvh };
+    worker::View view = seen.view;
+    view.quantity = Quantity::Rays;
+    CHECK(worker::measurePixel(seen.world.scene, counting, view, size / 2) == glm::vec3(1, 0, 0));
 }
 
 TEST_CASE("Pixels that are measured at once have the values of pixels measured in turn", "[measure]")
