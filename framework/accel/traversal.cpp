@@ -23,10 +23,8 @@ namespace {
         static void addTriangles(std::size_t) { }
     };
 
-    template <typename Tally>
     const Primitive* closestOf(std::span<const Primitive> primitives, Ray& ray, TriangleHit& hit)
     {
-        Tally::addTriangles(primitives.size());
         const Primitive* closest = nullptr;
         for (const Primitive& p : primitives) {
             if (testTriangle(p.v0.position, p.v1.position, p.v2.position, ray, hit)) {
@@ -43,8 +41,10 @@ template <typename Tally> static const Primitive* search(const BVHInterface& bvh
 {
     const std::span<const Node> nodes = bvh.nodes();
     const std::span<const Primitive> primitives = bvh.primitives();
-    if (nodes.empty() || bvh.numLevels() > maxLevels) // somebody else's tree, too deep for the stack
-        return closestOf<Tally>(primitives, ray, hit);
+    if (nodes.empty() || bvh.numLevels() > maxLevels) { // somebody else's tree, too deep for the stack
+        Tally::addTriangles(primitives.size());
+        return closestOf(primitives, ray, hit);
+    }
 
     const RayForBoxes forBoxes { ray };
     std::array<Visit, maxLevels> stack; // one entry a level at most: the farther sibling
@@ -59,7 +59,8 @@ template <typename Tally> static const Primitive* search(const BVHInterface& bvh
         const Node& node = nodes[current.node];
         if (node.isLeaf()) {
             const auto leaf = primitives.subspan(node.primitiveOffset(), node.primitiveCount());
-            if (const Primitive* closer = closestOf<Tally>(leaf, ray, hit))
+            Tally::addTriangles(leaf.size());
+            if (const Primitive* closer = closestOf(leaf, ray, hit))
                 closest = closer;
         } else {
             Visit near { node.leftChild(), 0.0f };

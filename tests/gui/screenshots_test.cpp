@@ -117,7 +117,7 @@ TEST_CASE("False colours and their legend look like their kept pictures", "[wind
     tests::OpenedWindow window { source / "scenes" / (shown.scene + ".toml"), source / "reference" };
     window.choose("shows", shown.quantity.c_str());
     window.drawUntilTraced();
-    window.moveMouse({ 820, 360 });
+    window.moveMouse({ 820, 300 });
     compareWithKept(window, shown.scene + "_" + shown.quantity);
 }
 
