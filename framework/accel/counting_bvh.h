@@ -28,6 +28,8 @@ public:
 
     // Of all threads, since the process began. Only while nobody traces.
     [[nodiscard]] static RayCounts rayCounts();
+    // Since this thread began.
+    [[nodiscard]] static uint64_t numRaysOfThisThread() { return counter().rays.total(); }
 
 private:
     // One a thread, so that counting neither waits nor shares a cache line; threads that end leave their count behind.

@@ -1,6 +1,7 @@
 #include "accel/traversal.h"
 #include "accel/box_test.h"
 #include "accel/builder.h"
+#include "debug/tally.h"
 #include <array>
 #include <span>
 #include <utility>
@@ -14,6 +15,12 @@ namespace {
     struct Visit {
         uint32_t node;
         float entry; // where the ray enters the node's box
+    };
+
+    // Stands in for debug::Tally where nobody counts.
+    struct NoTally {
+        static void addNode() { }
+        static void addTriangles(std::size_t) { }
     };
 
     const Primitive* closestOf(std::span<const Primitive> primitives, Ray& ray, TriangleHit& hit)
@@ -30,12 +37,14 @@ namespace {
 
 }
 
-const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit)
+template <typename Tally> static const Primitive* search(const BVHInterface& bvh, Ray& ray, TriangleHit& hit)
 {
     const std::span<const Node> nodes = bvh.nodes();
     const std::span<const Primitive> primitives = bvh.primitives();
-    if (nodes.empty() || bvh.numLevels() > maxLevels) // somebody else's tree, too deep for the stack
+    if (nodes.empty() || bvh.numLevels() > maxLevels) { // somebody else's tree, too deep for the stack
+        Tally::addTriangles(primitives.size());
         return closestOf(primitives, ray, hit);
+    }
 
     const RayForBoxes forBoxes { ray };
     std::array<Visit, maxLevels> stack; // one entry a level at most: the farther sibling
@@ -46,9 +55,11 @@ const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit
 
     const Primitive* closest = nullptr;
     for (;;) {
+        Tally::addNode();
         const Node& node = nodes[current.node];
         if (node.isLeaf()) {
             const auto leaf = primitives.subspan(node.primitiveOffset(), node.primitiveCount());
+            Tally::addTriangles(leaf.size());
             if (const Primitive* closer = closestOf(leaf, ray, hit))
                 closest = closer;
         } else {
@@ -72,6 +83,11 @@ const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit
             current = stack[--stackSize];
         } while (current.entry > ray.t);
     }
+}
+
+const Primitive* findClosest(const BVHInterface& bvh, Ray& ray, TriangleHit& hit)
+{
+    return debug::Tally::isOpen() ? search<debug::Tally>(bvh, ray, hit) : search<NoTally>(bvh, ray, hit);
 }
 
 }

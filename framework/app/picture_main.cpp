@@ -13,7 +13,7 @@ static std::string save(const fs::path& path, int width, int height, const std::
     const auto output = OIIO::ImageOutput::create(unfinished.string());
     if (!output)
         return OIIO::geterror();
-    const auto type = path.extension() == ".exr" ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8;
+    const auto type = path.extension() == ".exr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     constexpr auto pixelBytes = static_cast<OIIO::stride_t>(3 * sizeof(float));
     const float* topRow = pixels.data() + pixels.size() - 3 * static_cast<std::size_t>(width);
     const bool written = output->open(unfinished.string(), OIIO::ImageSpec(width, height, 3, type))

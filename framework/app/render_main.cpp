@@ -2,6 +2,7 @@
 #include "app/progress_bar.h"
 #include "app/save_debug_ray.h"
 #include "app/save_picture.h"
+#include "debug/false_color.h"
 #include "submission/named_folder.h"
 #include "submission/submission.h"
 #include "worker/debug_ray.h"
@@ -23,6 +24,7 @@ struct Options {
     std::string size;
     std::string orbit;
     std::string debugRay;
+    std::string show = "color";
     uint32_t samples = 0;
     bool stratified = false;
     uint32_t threads = 0;
@@ -45,6 +47,9 @@ void declare(CLI::App& cli, Options& options)
         "Turn the camera by these degrees, X,Y, about what it looks at; a debug ray is still the scene's camera's");
     cli.add_option(
         "--debug-ray", options.debugRay, "Draw what the ray through this pixel does, X,Y from the bottom left");
+    cli.add_option("--show", options.show,
+        fmt::format(
+            "What is measured of each pixel: {}; as false colours, but raw in .exr [color]", debug::quantityNames()));
     cli.footer("Exit codes: 0 done, 2 bad input, 70 the submission's code failed.");
 }
 
@@ -91,6 +96,7 @@ worker::RenderRequest makeRequest(const Options& options)
         request.orbit = parseNumbers("--orbit", options.orbit);
     request.numThreads = options.threads;
     request.wantsProgress = true;
+    request.quantity = debug::quantityOf(options.show);
     return request;
 }
 
@@ -149,9 +155,14 @@ void render(const Options& options, const fs::path& output)
 {
     app::checkPictureName(output);
     const worker::RenderRequest request = makeRequest(options);
-    const auto rendering = Renderer(build(options)).ask<worker::Rendering>("render.image", request);
+    auto rendering = Renderer(build(options)).ask<worker::Rendering>("render.image", request);
+    const debug::Range range = debug::rangeOf(request.quantity, rendering.pixels);
+    if (output.extension() != ".exr")
+        rendering.pixels = debug::falseColors(request.quantity, std::move(rendering.pixels), range);
     app::savePicture(output, rendering.size, rendering.pixels);
     report(options, output, rendering);
+    if (debug::isNumber(request.quantity))
+        fmt::print("{} from {:g} to {:g}\n", options.show, range.lowest, range.highest);
 }
 
 void followRay(const Options& options, const fs::path& output)
@@ -160,7 +171,9 @@ void followRay(const Options& options, const fs::path& output)
     const worker::DebugRayRequest request { makeRequest(options), parseNumbers("--debug-ray", options.debugRay) };
     Renderer renderer { build(options) };
     const auto ray = renderer.ask<worker::DebugRay>("debug.ray", request);
-    const auto picture = renderer.ask<worker::Rendering>("render.image", request.render);
+    auto picture = renderer.ask<worker::Rendering>("render.image", request.render);
+    const debug::Range range = debug::rangeOf(request.render.quantity, picture.pixels);
+    picture.pixels = debug::falseColors(request.render.quantity, std::move(picture.pixels), range);
     app::saveDebugRay(output, ray, picture);
     fmt::print("{}: {} shapes were drawn and {} textures looked up along the ray through pixel {},{} of {} with {}\n",
         output.string(), ray.shapes.size(), ray.lookups.size(), ray.pixel.x, ray.pixel.y, options.scene, options.with);

@@ -12,7 +12,7 @@ struct PictureNotSaved { };
 // Throws files::Error for a name that savePicture would not take.
 void checkPictureName(const std::filesystem::path& path);
 
-// Writes a picture, row 0 of the pixels at the bottom: .png with colours clamped to [0, 1], .exr with colours as they
+// Writes a picture, row 0 of the pixels at the bottom: .png with colours clamped to [0, 1], .exr with values as they
 // are. The file appears whole or not at all. A process of its own writes it: the library for it takes longer to load
 // than the rest of a render to start. Throws PictureNotSaved.
 void savePicture(const std::filesystem::path& path, glm::ivec2 size, std::span<const glm::vec3> pixels);

@@ -1,5 +1,6 @@
 #include "gui/application.h"
 #include "files/error.h"
+#include "gui/false_color_panel.h"
 #include "gui/orbit.h"
 #include "gui/panels.h"
 #include "gui/samples_panel.h"
@@ -39,7 +40,7 @@ worker::View Application::view() const
 {
     Config config = m_document.settings.config;
     config.size = glm::ivec2(m_last - m_first);
-    return { makeTrackball(config), config.features, m_document.settings.lights, config.size };
+    return { makeTrackball(config), config.features, m_document.settings.lights, config.size, m_quantity };
 }
 
 void Application::showView()
@@ -56,10 +57,12 @@ void Application::showView()
     }
     if (auto ray = m_tracer.takeRay())
         m_ray.show(std::move(*ray));
-    if (m_isRasterised)
+    if (m_isRasterised) {
         drawRasterised();
-    else
+    } else {
         m_texture.drawBehind(m_first, m_last);
+        legend(m_picture, m_first, m_last);
+    }
     m_ray.drawOver(view().camera, m_first, m_last);
     m_lightHandles.drawOver(m_document.settings.lights, view().camera, m_first, m_last);
 }
@@ -76,6 +79,13 @@ void Application::setRasterised(bool isRasterised)
 {
     m_isRasterised = isRasterised;
     m_tracer.setPaused(isRasterised);
+}
+
+void Application::showQuantity(debug::Quantity quantity)
+{
+    setRasterised(false);
+    m_quantity = quantity;
+    m_shown.reset();
 }
 
 void Application::sidePanel()
@@ -119,6 +129,8 @@ void Application::status()
     ImGui::TextDisabled("? for help");
     if (m_isRasterised)
         ImGui::Checkbox("wireframe", &m_isWireframe);
+    else if (const auto chosen = quantityCombo(m_quantity))
+        showQuantity(*chosen);
     const std::string message = m_error + m_tracer.message();
     ImGui::PushStyleColor(ImGuiCol_Text, { 1.0f, 0.5f, 0.4f, 1.0f });
     if (!message.empty())
@@ -157,6 +169,8 @@ void Application::control()
         followRay();
     if (!io.KeyCtrl && isPressed('T'))
         setRasterised(!m_isRasterised);
+    if (!io.KeyCtrl && isPressed('F'))
+        showQuantity(debug::nextOf(m_quantity));
     if (isPressed('/') && io.KeyShift)
         m_showsHelp = !m_showsHelp;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))

@@ -37,6 +37,7 @@ private:
     void followRay();
     void showView();
     void setRasterised(bool isRasterised);
+    void showQuantity(debug::Quantity quantity);
     void drawRasterised();
     void openScene(const std::filesystem::path& path);
     [[nodiscard]] worker::View view() const;
@@ -56,6 +57,7 @@ private:
     uint64_t m_number = 0; // of the view that was asked for last; pictures that are waited for have it
     bool m_showsHelp = false;
     bool m_isRasterised = false, m_isWireframe = false;
+    debug::Quantity m_quantity = debug::Quantity::Color; // of what is traced
     std::string m_error; // of what the user asked for
 };
 

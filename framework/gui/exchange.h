@@ -1,4 +1,5 @@
 #pragma once
+#include "debug/false_color.h"
 #include "worker/debug_ray.h"
 #include "worker/view.h"
 #include <condition_variable>
@@ -12,12 +13,15 @@ namespace gui {
 // A picture being refined, as far as it is.
 struct Picture {
     glm::ivec2 size { 0 };
-    std::vector<glm::vec3> pixels; // row 0 at the bottom; what is not traced yet repeats its neighbour
+    std::vector<glm::vec3> pixels; // as seen, row 0 at the bottom; what is not traced yet repeats its neighbour
     uint64_t number = 0; // of the view
     bool isDone = false;
     double seconds = 0.0; // since the view was asked for
     accel::RayCounts numRays;
     std::size_t memory = 0; // bytes that the worker holds; 0: unknown
+    debug::Quantity quantity = debug::Quantity::Color; // that the pixels are the false colours of
+    std::vector<glm::vec3> values; // in the pixels, raw; none for colours, which are their own
+    debug::Range range; // of the values
 };
 
 struct Wanted {

@@ -14,6 +14,7 @@ void helpPanel(bool& isOpen)
             { "wheel", "closer, farther" },
             { "R", "follow the ray through the pixel under the mouse" },
             { "T", "traced, or rasterised" },
+            { "F", "show the next quantity, in false colours" },
             { "Escape", "forget the ray" },
             { "Ctrl+Z, Ctrl+Y", "undo, redo" },
             { "?", "this page" },

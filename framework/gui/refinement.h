@@ -18,12 +18,12 @@ public:
     [[nodiscard]] Picture picture() const;
 
 private:
-    void fill(glm::ivec2 pixel, const glm::vec3& color);
+    void fill(glm::ivec2 pixel, const glm::vec3& value);
 
     uint64_t m_number;
     worker::RowsRequest m_request;
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
-    std::vector<glm::vec3> m_pixels;
+    std::vector<glm::vec3> m_values;
     accel::RayCounts m_numRays;
     std::size_t m_memory = 0;
 };

@@ -5,6 +5,7 @@
 #include "render.h"
 #include "texture.h"
 #include "worker/debug_ray.h"
+#include "worker/middle_ray.h"
 #include <stdexcept>
 
 namespace worker {
@@ -62,9 +63,8 @@ DebugRay followRay(const Scene& scene, const Features& features, const BVHInterf
     drawing.enableDebugDraw = true;
     RenderState state { scene, drawing, bvh, Sampler(1) };
     DebugRay answer { .size = size, .pixel = pixel, .camera = camera };
-    const glm::vec2 centre = (glm::vec2(pixel) + 0.5f) / glm::vec2(size) * 2.0f - 1.0f;
     const debug::Recording recording;
-    answer.color = renderRay(state, camera.generateRay(centre), 0);
+    answer.color = renderRay(state, middleRay(camera, pixel, size), 0);
     answer.shapes = recording.shapes();
     answer.hits = recording.hits();
     answer.lookups = describe(recording.lookups(), scene, features);

@@ -1,15 +1,16 @@
 // The probe that renders a scene file.
-#include "accel/counting_bvh.h"
 #include "bvh.h"
 #include "render.h"
 #include "screen.h"
 #include "worker/load_request.h"
+#include "worker/measure_pixel.h"
 #include "worker/probe.h"
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <thread>
 
 namespace worker {
@@ -34,7 +35,15 @@ namespace {
         std::jthread m_thread;
     };
 
-    // The whole picture, by the submission's own renderImage where it has one.
+    void measureImage(const Scene& scene, const accel::CountingBVH& bvh, const View& view, Screen& screen)
+    {
+        tbb::parallel_for(0, view.size.y, [&](int y) {
+            for (int x = 0; x < view.size.x; ++x)
+                screen.setPixel(x, y, measurePixel(scene, bvh, view, { x, y }));
+        });
+    }
+
+    // The whole picture; its colours are by the submission's own renderImage where it has one.
     const Probe image("render.image", [](Call& call) {
         const auto request = call.input.read<RenderRequest>();
         std::optional<tbb::global_control> threads;
@@ -43,6 +52,7 @@ namespace {
         const auto [scene, config] = load(request);
         BVH bvh { scene, config.features };
         const accel::CountingBVH counting { bvh };
+        const Trackball camera = cameraOf(config, request);
         Screen screen { config.size };
 
         std::optional<ProgressReporter> reporter;
@@ -50,7 +60,11 @@ namespace {
             reporter.emplace(screen, call.progress);
         const accel::RayCounts raysBefore = accel::CountingBVH::rayCounts();
         const auto start = std::chrono::steady_clock::now();
-        renderImage(scene, counting, config.features, cameraOf(config, request), screen);
+        if (request.quantity == debug::Quantity::Color)
+            renderImage(scene, counting, config.features, camera, screen);
+        else
+            measureImage(
+                scene, counting, { camera, config.features, scene.lights, config.size, request.quantity }, screen);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         reporter.reset();
         const accel::RayCounts numRays = accel::CountingBVH::rayCounts() - raysBefore;

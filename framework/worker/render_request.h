@@ -1,5 +1,6 @@
 #pragma once
 #include "accel/ray_counts.h"
+#include "debug/quantity.h"
 #include "worker/message.h"
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -17,23 +18,24 @@ struct RenderRequest {
     glm::vec2 orbit { 0.0f }; // degrees about x and y that the camera is turned by around what it looks at
     uint32_t numThreads = 0; // 0: all cores
     bool wantsProgress = false;
+    debug::Quantity quantity = debug::Quantity::Color;
 };
 
 struct Rendering {
     glm::ivec2 size { 0 };
-    std::vector<glm::vec3> pixels; // row 0 at the bottom
+    std::vector<glm::vec3> pixels; // row 0 at the bottom: the quantity, raw
     double seconds = 0.0; // of rendering alone
     accel::RayCounts numRays;
 };
 
 inline Message& operator<<(Message& message, const RenderRequest& r)
 {
-    return message << r.scene << r.settings << r.size << r.orbit << r.numThreads << r.wantsProgress;
+    return message << r.scene << r.settings << r.size << r.orbit << r.numThreads << r.wantsProgress << r.quantity;
 }
 
 inline Reader& operator>>(Reader& reader, RenderRequest& r)
 {
-    return reader >> r.scene >> r.settings >> r.size >> r.orbit >> r.numThreads >> r.wantsProgress;
+    return reader >> r.scene >> r.settings >> r.size >> r.orbit >> r.numThreads >> r.wantsProgress >> r.quantity;
 }
 
 inline Message& operator<<(Message& message, const Rendering& r)

@@ -1,5 +1,6 @@
 #pragma once
 #include "accel/ray_counts.h"
+#include "debug/quantity.h"
 #include "scene.h"
 #include "worker/message.h"
 #include <framework/trackball.h>
@@ -20,6 +21,7 @@ struct View {
     Features features;
     std::vector<Scene::SceneLight> lights;
     glm::ivec2 size { 0 }; // pixels
+    debug::Quantity quantity = debug::Quantity::Color;
 };
 
 // A picture comes in passes: each has the pixels whose coordinates are multiples of its stride, but for those of the
@@ -41,7 +43,7 @@ struct RowsRequest {
 
 struct Rows {
     int end = 0; // the first row that is not among them
-    std::vector<glm::vec3> pixels; // of the pass, row by row
+    std::vector<glm::vec3> pixels; // of the pass, row by row: the quantity, raw
     accel::RayCounts numRays;
     std::size_t memory = 0; // bytes that the worker holds; 0: unknown
 };
@@ -64,12 +66,12 @@ inline Reader& operator>>(Reader& reader, OpenRequest& r)
 
 inline Message& operator<<(Message& message, const View& v)
 {
-    return message << v.camera << v.features << v.lights << v.size;
+    return message << v.camera << v.features << v.lights << v.size << v.quantity;
 }
 
 inline Reader& operator>>(Reader& reader, View& v)
 {
-    return reader >> v.camera >> v.features >> v.lights >> v.size;
+    return reader >> v.camera >> v.features >> v.lights >> v.size >> v.quantity;
 }
 
 inline Message& operator<<(Message& message, const RowsRequest& r)

@@ -1,11 +1,9 @@
 // The probes of a window that shows a scene.
-#include "accel/counting_bvh.h"
 #include "bvh.h"
 #include "files/scene_file.h"
-#include "recursive.h"
-#include "render.h"
 #include "values/resident_memory.h"
 #include "worker/follow_ray.h"
+#include "worker/measure_pixel.h"
 #include "worker/probe.h"
 #include "worker/view.h"
 #include <chrono>
@@ -41,13 +39,6 @@ namespace {
         return *opened;
     }
 
-    glm::vec3 tracePixel(const Scene& scene, const BVHInterface& bvh, const View& view, const glm::ivec2& pixel)
-    {
-        const auto index = static_cast<uint32_t>(pixel.y * view.size.x + pixel.x); // the seed that renderImage takes
-        RenderState state { scene, view.features, bvh, Sampler(index) };
-        return renderRays(state, generatePixelRays(state, view.camera, pixel, view.size));
-    }
-
     std::vector<glm::ivec2> pixelsOfPass(const RowsRequest& request, int rowsEnd)
     {
         std::vector<glm::ivec2> pixels;
@@ -78,7 +69,7 @@ namespace {
             const std::size_t first = answer.pixels.size();
             answer.pixels.resize(first + pixels.size());
             tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {
-                answer.pixels[first + i] = tracePixel(now.scene, counting, request.view, pixels[i]);
+                answer.pixels[first + i] = measurePixel(now.scene, counting, request.view, pixels[i]);
             });
             request.firstRow = answer.end;
         } while (answer.end < request.view.size.y && std::chrono::steady_clock::now() - start < budget);

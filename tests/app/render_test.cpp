@@ -21,17 +21,23 @@ const std::string scenes = std::string(submission::sourceDirectory) + "/scenes/"
 
 struct Outcome {
     int exitCode;
-    std::string errors;
+    std::string errors, output;
 };
+
+std::string bytesOf(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return { std::istreambuf_iterator<char>(file), {} };
+}
 
 Outcome render(const std::string& arguments)
 {
     fs::create_directories(work);
-    const std::string errors = (work / "errors.txt").string();
+    const fs::path errors = work / "errors.txt", output = work / "output.txt";
     const std::string program = std::string(submission::buildDirectory) + "/framework/raywork-render ";
-    const int status = std::system((program + arguments + " > /dev/null 2> '" + errors + "'").c_str());
-    std::ifstream file(errors);
-    return { WEXITSTATUS(status), { std::istreambuf_iterator<char>(file), {} } };
+    const int status
+        = std::system((program + arguments + " > '" + output.string() + "' 2> '" + errors.string() + "'").c_str());
+    return { WEXITSTATUS(status), bytesOf(errors), bytesOf(output) };
 }
 
 std::string sceneFile(const std::string& text)
@@ -40,12 +46,6 @@ std::string sceneFile(const std::string& text)
     const fs::path path = work / "scene.toml";
     std::ofstream(path) << text;
     return path.string();
-}
-
-std::string bytesOf(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return { std::istreambuf_iterator<char>(file), {} };
 }
 
 }
@@ -66,6 +66,7 @@ TEST_CASE("Bad input to render ends with exit code 2 and one line that says wher
         { "", scenes + "cube.toml --size 9x9 --debug-ray 9,0",
             "found the pixel 9,0, expected one of a picture of 9 x 9" },
         { "", scenes + "cube.toml --orbit up", "--orbit: found 'up', expected X,Y" },
+        { "", scenes + "cube.toml --show norm", "found the quantity 'norm', expected one of color, normal, " },
         { "", scenes + "cube.toml --with no_such_folder", "no_such_folder: found no folder" },
     }));
     INFO(c.text << c.arguments);
@@ -108,6 +109,27 @@ TEST_CASE("An OpenEXR picture can be written, a JPEG cannot", "[render]")
     CHECK(render(arguments + (work / "cube.exr").string() + "'").exitCode == 0);
     CHECK(bytesOf(work / "cube.exr").substr(0, 4) == "\x76\x2f\x31\x01"); // the magic number of OpenEXR
     CHECK(render(arguments + (work / "cube.jpg").string() + "'").exitCode == 2);
+}
+
+TEST_CASE("Normals are shown as colours, and numbers with their range", "[render]")
+{
+    // The camera looks down at a floor.
+    const std::string scene = sceneFile("size = [8, 8]\n[camera]\nlook_at = [0, 0, 0]\nrotation = [30, 0, 0]\n"
+                                        "distance = 2\n[[mesh]]\nshape = \"cube\"\nscale = 9\n"
+                                        "translate = [0, -6, 0]\n");
+    const std::string output = (work / "shown.png").string();
+    const Outcome normals = render(scene + " --show normal -o '" + output + "'");
+    REQUIRE(normals.exitCode == 0);
+    CHECK_THAT(normals.output, !Catch::Contains("from"));
+    const auto up = files::loadPicture(output)->get_pixel(0); // the nearest
+    CHECK(up.x == Approx(0.5f).margin(0.5 / 255.0 + 1e-6)); // half a step of eight bits, and rounding
+    CHECK(up.y == 1.0f);
+    CHECK(up.z == up.x);
+
+    const Outcome samples = render(scene + " --show samples --samples 9 -o '" + output + "'");
+    REQUIRE(samples.exitCode == 0);
+    CHECK_THAT(samples.output, Catch::Contains("samples from 0 to 9\n"));
+    CHECK(files::loadPicture(output)->get_pixel(0) == glm::vec3(1.0f)); // the most
 }
 
 TEST_CASE("A file name is never a command", "[render]")

@@ -92,6 +92,16 @@ void OpenedWindow::activate(const char* label, int place)
     drawFrames(3); // it is pressed in the next, and what follows from it is shown after that
 }
 
+void OpenedWindow::choose(const char* combo, const char* item)
+{
+    activate(combo);
+    const ImGuiWindow* const list = ImGui::FindWindowByName("##Combo_00");
+    REQUIRE(list);
+    REQUIRE(list->Active);
+    ImGui::ActivateItem(ImHashStr(item, 0, list->ID));
+    drawFrames(3);
+}
+
 gui::Picture OpenedWindow::screenshot()
 {
     gui::Picture picture;

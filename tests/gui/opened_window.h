@@ -24,6 +24,9 @@ public:
     // A control of the side panel, by its label and, in a list, by its place.
     void activate(const char* label, int place = -1);
 
+    // One of the items that a control of the side panel unfolds.
+    void choose(const char* combo, const char* item);
+
     // What is on the screen, row 0 at the bottom.
     [[nodiscard]] gui::Picture screenshot();
 

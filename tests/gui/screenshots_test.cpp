@@ -106,6 +106,20 @@ TEST_CASE("A followed ray and the page of help look like their kept pictures", "
     compareWithKept(window, "ray_and_help");
 }
 
+TEST_CASE("False colours and their legend look like their kept pictures", "[window]")
+{
+    struct Shown {
+        std::string scene, quantity;
+    };
+    const Shown shown
+        = GENERATE(values<Shown>({ { "cornell_box", "normal" }, { "monkey", "nodes_visited" }, { "spheres", "t" } }));
+    tests::OpenedWindow window { source / "scenes" / (shown.scene + ".toml"), source / "reference" };
+    window.choose("shows", shown.quantity.c_str());
+    window.drawUntilTraced();
+    window.moveMouse({ 820, 300 });
+    compareWithKept(window, shown.scene + "_" + shown.quantity);
+}
+
 // Against the same limits, and against the traced picture by what is background in the one and not in the other.
 TEST_CASE("The rasterised view shows a scene where the traced one does", "[window]")
 {

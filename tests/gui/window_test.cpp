@@ -100,6 +100,31 @@ TEST_CASE("R follows the ray under the mouse, and Escape forgets it", "[window]"
     CHECK_FALSE(window.application.ray().isShowing());
 }
 
+TEST_CASE("Each quantity can be chosen by its name, by F, and colours come back as they were", "[window]")
+{
+    OpenedWindow window { cornell, reference };
+    window.drawUntilTraced();
+    const gui::Picture before = window.application.picture();
+    std::vector<std::vector<glm::vec3>> chosen;
+    for (const debug::Quantity quantity : debug::allQuantities()) {
+        INFO(debug::nameOf(quantity));
+        window.choose("shows", debug::nameOf(quantity).c_str());
+        window.drawUntilTraced();
+        CHECK(window.application.picture().quantity == quantity);
+        CHECK(std::ranges::count(chosen, window.application.picture().pixels) == 0);
+        chosen.push_back(window.application.picture().pixels);
+    }
+    window.choose("shows", "color");
+    window.drawUntilTraced();
+    CHECK(window.application.picture().pixels == before.pixels);
+    for (std::size_t i = 1; i <= chosen.size(); ++i) {
+        window.pressKey("f");
+        window.drawUntilTraced();
+        CHECK(window.application.picture().pixels == chosen[i % chosen.size()]);
+    }
+    CHECK(window.application.message().empty());
+}
+
 TEST_CASE("A submission that fails is reported, and replaced by a good one while the window lives on", "[window]")
 {
     struct Failure {

@@ -1,8 +1,10 @@
 #include "accel/triangle_test.h"
+#include "debug/tally.h"
 #include "intersect.h"
 
 bool intersectRayWithTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2, Ray& ray, HitInfo& hitInfo)
 {
+    debug::Tally::addTriangles(1);
     accel::TriangleHit hit;
     if (!accel::testTriangle(v0, v1, v2, ray, hit))
         return false;
