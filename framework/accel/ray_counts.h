@@ -3,7 +3,8 @@
 
 namespace accel {
 
-// Rays by why they were traced.
+// Rays by why they were traced. Those towards a light are told apart where a debug::Watch is open, and are counted with
+// those of the path where none is.
 struct RayCounts {
     uint64_t camera = 0; // through a pixel
     uint64_t bounced = 0; // mirrored, or passed through a surface

@@ -137,8 +137,8 @@ void report(const Options& options, const fs::path& output, const worker::Render
 {
     fmt::print("{}: {} x {} pixels of {} with {} in {:.2f} s, {:.2f} million rays, {:.2f} million a second\n",
         output.string(), rendering.size.x, rendering.size.y, options.scene, options.with, rendering.seconds,
-        static_cast<double>(rendering.numRays.total()) * 1e-6,
-        static_cast<double>(rendering.numRays.total()) * 1e-6 / std::max(rendering.seconds, 1e-9));
+        static_cast<double>(rendering.numRays) * 1e-6,
+        static_cast<double>(rendering.numRays) * 1e-6 / std::max(rendering.seconds, 1e-9));
 }
 
 fs::path build(const Options& options)

@@ -75,8 +75,9 @@ private:
     std::vector<Hit> m_hits;
     std::vector<Lookup> m_lookups;
     Recording* m_outer;
+    Watch m_watch;
 
-    static inline thread_local Recording* s_innermost = nullptr;
+    static inline constinit thread_local Recording* s_innermost = nullptr;
 };
 
 }

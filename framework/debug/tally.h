@@ -39,7 +39,7 @@ private:
     uint64_t m_numTriangles = 0;
     Tally* m_outer;
 
-    static inline thread_local Tally* s_innermost = nullptr;
+    static inline constinit thread_local Tally* s_innermost = nullptr;
 };
 
 }

@@ -11,11 +11,14 @@ glm::vec3 renderRay(RenderState& state, Ray ray, int rayDepth)
 
     HitInfo hitInfo;
     if (!state.bvh.intersect(state, ray, hitInfo)) {
-        drawRay(ray, glm::vec3(1.0f, 0.0f, 0.0f));
+        if (debug::Recording::isOpen()) [[unlikely]]
+            drawRay(ray, glm::vec3(1.0f, 0.0f, 0.0f));
         return state.features.extra.enableEnvironmentMap ? sampleEnvironmentMap(state, ray) : glm::vec3(0.0f);
     }
-    drawRay(ray);
-    debug::Recording::addHit(ray, hitInfo);
+    if (debug::Recording::isOpen()) [[unlikely]] {
+        drawRay(ray);
+        debug::Recording::addHit(ray, hitInfo);
+    }
 
     glm::vec3 color = computeLightContribution(state, ray, hitInfo);
     if (rayDepth >= static_cast<int>(state.features.extra.maxDepth))

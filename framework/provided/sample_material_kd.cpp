@@ -7,7 +7,8 @@ glm::vec3 sampleMaterialKd(RenderState& state, const HitInfo& hitInfo)
     const Image* texture = hitInfo.material.kdTexture;
     if (!state.features.enableTextureMapping || !texture)
         return hitInfo.material.kd;
-    debug::Recording::addLookup(*texture, hitInfo.texCoord);
+    if (debug::Recording::isOpen()) [[unlikely]]
+        debug::Recording::addLookup(*texture, hitInfo.texCoord);
     return state.features.enableBilinearTextureFiltering ? sampleTextureBilinear(*texture, hitInfo.texCoord)
                                                          : sampleTextureNearest(*texture, hitInfo.texCoord);
 }

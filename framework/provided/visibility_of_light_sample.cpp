@@ -22,12 +22,21 @@ static void drawShadowRay(const glm::vec3& lightPosition, const glm::vec3& light
     drawSphere(lightPosition, 0.02f, lightColor);
 }
 
-glm::vec3 visibilityOfLightSample(RenderState& state, const glm::vec3& lightPosition, const glm::vec3& lightColor,
-    const Ray& ray, const HitInfo& hitInfo)
+// Apart, so that the usual case needs no stack for it.
+[[gnu::noinline]] static glm::vec3 visibleAndWatched(RenderState& state, const glm::vec3& lightPosition,
+    const glm::vec3& lightColor, const Ray& ray, const HitInfo& hitInfo)
 {
-    const debug::Because shadow(debug::Way::Shadow);
+    const debug::TowardsLight way;
     const glm::vec3 light = visible(state, lightPosition, lightColor, ray, hitInfo);
     if (debug::Recording::isOpen())
         drawShadowRay(lightPosition, lightColor, ray, light == glm::vec3(0.0f));
     return light;
+}
+
+glm::vec3 visibilityOfLightSample(RenderState& state, const glm::vec3& lightPosition, const glm::vec3& lightColor,
+    const Ray& ray, const HitInfo& hitInfo)
+{
+    if (debug::Watch::isOpen()) [[unlikely]]
+        return visibleAndWatched(state, lightPosition, lightColor, ray, hitInfo);
+    return visible(state, lightPosition, lightColor, ray, hitInfo);
 }

@@ -1,4 +1,5 @@
 #include "worker/measure_pixel.h"
+#include "debug/cause.h"
 #include "debug/tally.h"
 #include "recursive.h"
 #include "render.h"
@@ -26,6 +27,7 @@ namespace {
 
     glm::vec3 trace(RenderState& state, const View& view, glm::ivec2 pixel)
     {
+        const debug::Watch watch; // whoever shows pixels one by one shows rays by kind
         return renderRays(state, generatePixelRays(state, view.camera, pixel, view.size));
     }
 

@@ -67,7 +67,7 @@ namespace {
                 scene, counting, { camera, config.features, scene.lights, config.size, request.quantity }, screen);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         reporter.reset();
-        const accel::RayCounts numRays = accel::CountingBVH::rayCounts() - raysBefore;
+        const uint64_t numRays = (accel::CountingBVH::rayCounts() - raysBefore).total();
         call.output << Rendering { config.size, std::move(screen.pixels()), elapsed.count(), numRays };
     });
 

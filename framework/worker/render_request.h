@@ -1,5 +1,4 @@
 #pragma once
-#include "accel/ray_counts.h"
 #include "debug/quantity.h"
 #include "worker/message.h"
 #include <cstdint>
@@ -25,7 +24,7 @@ struct Rendering {
     glm::ivec2 size { 0 };
     std::vector<glm::vec3> pixels; // row 0 at the bottom: the quantity, raw
     double seconds = 0.0; // of rendering alone
-    accel::RayCounts numRays;
+    uint64_t numRays = 0; // of all kinds
 };
 
 inline Message& operator<<(Message& message, const RenderRequest& r)

@@ -1,4 +1,5 @@
 #include "accel/counting_bvh.h"
+#include "debug/cause.h"
 #include "grading/oracle/random_scene.h"
 #include "recursive.h"
 #include "world.h"
@@ -50,6 +51,7 @@ accel::RayCounts countByKind(Scene scene, const Features& features, int depth = 
     World world(std::move(scene), features);
     const accel::CountingBVH counting(world.bvh);
     RenderState state { world.scene, world.features, counting, Sampler(1) };
+    const debug::Watch watch;
     const accel::RayCounts before = accel::CountingBVH::rayCounts();
     (void)renderRay(state, forward, depth);
     return accel::CountingBVH::rayCounts() - before;
