@@ -55,10 +55,14 @@ void Application::showView()
     }
     if (auto ray = m_tracer.takeRay())
         m_ray.show(std::move(*ray));
+    m_tracer.drawTree(m_tree.wanted());
+    if (auto tree = m_tracer.takeTree())
+        m_tree.show(std::move(*tree));
     if (m_isRasterised)
         drawRasterised();
     else
         m_texture.drawBehind(m_first, m_last);
+    m_tree.drawOver(view().camera, m_first, m_last);
     m_ray.drawOver(view().camera, m_first, m_last);
     m_lightHandles.drawOver(m_document.settings.lights, view().camera, m_first, m_last);
 }
@@ -102,6 +106,10 @@ void Application::sidePanel()
         m_lightHandles.showSwitch();
         lightsPanel(m_document.settings.lights);
     }
+    if (ImGui::CollapsingHeader("tree"))
+        m_tree.controls();
+    if (m_ray.isToBeSeen())
+        ImGui::SetNextItemOpen(true);
     if (ImGui::CollapsingHeader("ray", ImGuiTreeNodeFlags_DefaultOpen))
         m_ray.list();
     ImGui::End();
@@ -138,6 +146,7 @@ void Application::openScene(const fs::path& path)
         m_shown.reset();
         m_raster.reset();
         m_ray.forget();
+        m_tree.forget();
         m_error.clear();
     } catch (const files::Error& error) {
         m_error = std::string(error.what()) + "\n";
@@ -149,6 +158,8 @@ void Application::control()
 {
     const ImGuiIO& io = ImGui::GetIO();
     m_lightHandles.control(m_document.settings.lights, view().camera, m_first, m_last);
+    if (!m_lightHandles.isUnderMouse())
+        m_ray.control(view().camera, m_first, m_last);
     if (!io.WantCaptureMouse)
         orbit();
     if (io.WantTextInput)

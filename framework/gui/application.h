@@ -7,6 +7,7 @@
 #include "gui/save_panel.h"
 #include "gui/texture_panel.h"
 #include "gui/tracer.h"
+#include "gui/tree_panel.h"
 
 namespace gui {
 
@@ -22,6 +23,7 @@ public:
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] Document& document() { return m_document; }
     [[nodiscard]] const RayPanel& ray() const { return m_ray; }
+    [[nodiscard]] const TreePanel& tree() const { return m_tree; }
     // The newest, be it of what is asked for now or of before.
     [[nodiscard]] const Picture& picture() const { return m_picture; }
     [[nodiscard]] bool isPictureCurrent() const { return m_picture.number == m_number; }
@@ -46,6 +48,7 @@ private:
     Picture m_picture; // the newest
     std::optional<RasterView> m_raster; // of the document, once it has been looked at
     RayPanel m_ray;
+    TreePanel m_tree;
     SavePanel m_save;
     TexturePanel m_textureSpace;
     LightHandles m_lightHandles;

@@ -1,5 +1,6 @@
 #pragma once
 #include "worker/debug_ray.h"
+#include "worker/tree_drawing.h"
 #include "worker/view.h"
 #include <condition_variable>
 #include <filesystem>
@@ -24,6 +25,7 @@ struct Wanted {
     worker::View view;
     bool isPaused = false; // no picture is wanted for now
     std::optional<glm::ivec2> pixel; // whose ray is to be followed, once
+    worker::TreeRequest tree; // what is to be drawn of it
     uint64_t number = 0; // another one, another view
 };
 
@@ -34,6 +36,7 @@ struct Exchange {
     Wanted wanted;
     std::optional<Picture> picture; // the newest, until it is taken
     std::optional<worker::DebugRay> ray; // likewise
+    std::optional<worker::TreeDrawing> tree; // likewise
     std::string message; // what is wrong with the submission or the scene; empty while all is well
 };
 
