@@ -1,16 +1,16 @@
 #include "gui/application.h"
+#include "files/camera_file.h"
 #include "files/error.h"
 #include "gui/orbit.h"
 #include "gui/panels.h"
 #include "gui/samples_panel.h"
-#include "submission/paths.h"
-#include <imgui.h>
+#include "gui/scale.h"
 
 namespace gui {
 
 namespace fs = std::filesystem;
 
-static constexpr float sideWidth = 360.0f;
+static constexpr float sideWidth = 360.0f; // pixels of an ordinary screen
 
 Application::Application(const fs::path& scene, const fs::path& submission)
     : m_document(scene)
@@ -18,10 +18,12 @@ Application::Application(const fs::path& scene, const fs::path& submission)
 {
 }
 
-void Application::frame(glm::ivec2 windowSize)
+void Application::frame(Window& window)
 {
-    m_first = { sideWidth * ImGui::GetIO().FontGlobalScale, 0.0f };
-    m_last = glm::max(glm::vec2(windowSize), m_first + 16.0f);
+    m_first = { sideWidth * scale(), 0.0f };
+    m_last = glm::max(glm::vec2(window.size()), m_first + 16.0f);
+    if (const auto dropped = window.takeDropped())
+        open(*dropped);
     control();
     sidePanel();
     helpPanel(m_showsHelp);
@@ -55,6 +57,7 @@ void Application::showView()
     }
     if (auto ray = m_tracer.takeRay())
         m_ray.show(std::move(*ray));
+    m_output.add(m_tracer.takePrinted());
     m_tracer.drawTree(m_tree.wanted());
     if (auto tree = m_tracer.takeTree())
         m_tree.show(std::move(*tree));
@@ -90,12 +93,8 @@ void Application::sidePanel()
             | ImGuiWindowFlags_NoBringToFrontOnFocus);
     status();
     if (ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen))
-        if (ImGui::BeginCombo("file", m_document.path().stem().c_str())) {
-            for (const auto& entry : fs::directory_iterator(fs::path(submission::sourceDirectory) / "scenes"))
-                if (entry.path().extension() == ".toml" && ImGui::Selectable(entry.path().stem().c_str()))
-                    openScene(entry.path());
-            ImGui::EndCombo();
-        }
+        if (const auto picked = m_scene.pick(m_document.path()))
+            open(*picked);
     if (ImGui::CollapsingHeader("save"))
         m_save.show(m_document, m_picture, glm::ivec2(m_last - m_first));
     if (ImGui::CollapsingHeader("features", ImGuiTreeNodeFlags_DefaultOpen))
@@ -106,6 +105,7 @@ void Application::sidePanel()
         m_lightHandles.showSwitch();
         lightsPanel(m_document.settings.lights);
     }
+    m_output.show();
     if (ImGui::CollapsingHeader("tree"))
         m_tree.controls();
     if (m_ray.isToBeSeen())
@@ -132,22 +132,26 @@ void Application::status()
     ImGui::TextDisabled("? for help");
     if (m_isRasterised)
         ImGui::Checkbox("wireframe", &m_isWireframe);
-    const std::string message = m_error + m_tracer.message();
+    const std::string text = message();
     ImGui::PushStyleColor(ImGuiCol_Text, { 1.0f, 0.5f, 0.4f, 1.0f });
-    if (!message.empty())
-        ImGui::TextWrapped("%s", message.c_str());
+    if (!text.empty())
+        ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
 }
 
-void Application::openScene(const fs::path& path)
+void Application::open(const fs::path& path)
 {
     try {
+        m_error.clear();
+        if (files::isCameraFile(path)) {
+            m_document.settings.config.camera = files::loadCamera(path);
+            return;
+        }
         m_document = Document(path);
         m_shown.reset();
         m_raster.reset();
         m_ray.forget();
         m_tree.forget();
-        m_error.clear();
     } catch (const files::Error& error) {
         m_error = std::string(error.what()) + "\n";
     }

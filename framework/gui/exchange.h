@@ -1,9 +1,11 @@
 #pragma once
 #include "worker/debug_ray.h"
+#include "worker/output.h"
 #include "worker/tree_drawing.h"
 #include "worker/view.h"
 #include <condition_variable>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -37,6 +39,8 @@ struct Exchange {
     std::optional<Picture> picture; // the newest, until it is taken
     std::optional<worker::DebugRay> ray; // likewise
     std::optional<worker::TreeDrawing> tree; // likewise
+    std::shared_ptr<worker::Output> output; // of the worker that runs, or ran last; null: of none so far
+    std::string printed; // by workers before, until it is taken
     std::string message; // what is wrong with the submission or the scene; empty while all is well
 };
 

@@ -87,16 +87,27 @@ void TraceLoop::build()
     say(warnings());
 }
 
-void TraceLoop::open()
+// What the one before has printed is still to be seen.
+void TraceLoop::startWorker()
 {
     worker::Limits limits;
     limits.captureOutput = true;
     limits.readable = { "/" }; // a scene names its meshes and textures wherever they lie
     m_process.emplace(m_program, limits);
+    const std::lock_guard lock(m_exchange.mutex);
+    if (m_exchange.output)
+        m_exchange.printed += m_exchange.output->take();
+    m_exchange.output = m_process->output();
+}
+
+void TraceLoop::open()
+{
+    startWorker();
     m_openScene = m_wanted.scene;
     m_isOpenWithSah = m_wanted.view.features.extra.enableBvhSahBinning;
     m_drawnTree.reset();
     ask<void>("view.open", worker::OpenRequest { m_openScene.string(), m_isOpenWithSah });
+    say(warnings()); // why the last one failed is over
 }
 
 void TraceLoop::refine()

@@ -22,6 +22,7 @@ private:
     void work();
     void build();
     void open();
+    void startWorker();
     void refine();
     void follow(glm::ivec2 pixel);
     void drawTree();

@@ -57,6 +57,13 @@ std::optional<worker::TreeDrawing> Tracer::takeTree()
     return std::exchange(m_exchange.tree, std::nullopt);
 }
 
+std::string Tracer::takePrinted()
+{
+    const std::lock_guard lock(m_exchange.mutex);
+    std::string printed = std::exchange(m_exchange.printed, "");
+    return m_exchange.output ? printed + m_exchange.output->take() : printed;
+}
+
 std::string Tracer::message()
 {
     const std::lock_guard lock(m_exchange.mutex);

@@ -21,6 +21,7 @@ public:
     [[nodiscard]] std::optional<Picture> takePicture();
     [[nodiscard]] std::optional<worker::DebugRay> takeRay();
     [[nodiscard]] std::optional<worker::TreeDrawing> takeTree();
+    [[nodiscard]] std::string takePrinted(); // by the submission's code, also while it is busy
 
     // What is wrong with the submission, or with the scene; empty while all is well.
     [[nodiscard]] std::string message();
