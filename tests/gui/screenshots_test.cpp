@@ -1,7 +1,7 @@
+#include "changed_reference.h"
 #include "files/bitmap.h"
 #include "files/picture.h"
 #include "opened_window.h"
-#include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -11,10 +11,9 @@
 // shown now in their place.
 
 namespace fs = std::filesystem;
+using tests::source;
 
 namespace {
-
-const fs::path source { submission::sourceDirectory };
 
 std::vector<std::string> sceneNames()
 {
