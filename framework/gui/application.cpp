@@ -97,6 +97,7 @@ void Application::sidePanel()
             open(*picked);
     if (ImGui::CollapsingHeader("save"))
         m_save.show(m_document, m_picture, glm::ivec2(m_last - m_first));
+    m_output.show(); // above what fills the panel, since it opens by itself
     if (ImGui::CollapsingHeader("features", ImGuiTreeNodeFlags_DefaultOpen))
         featuresPanel(m_document.settings.config.features);
     if (ImGui::CollapsingHeader("camera"))
@@ -105,7 +106,6 @@ void Application::sidePanel()
         m_lightHandles.showSwitch();
         lightsPanel(m_document.settings.lights);
     }
-    m_output.show();
     if (ImGui::CollapsingHeader("tree"))
         m_tree.controls();
     if (m_ray.isToBeSeen())

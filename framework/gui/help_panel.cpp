@@ -23,7 +23,7 @@ void helpPanel(bool& isOpen)
         };
         for (const auto& [key, meaning] : lines) {
             ImGui::TextUnformatted(key);
-            ImGui::SameLine(150.0f * scale());
+            ImGui::SameLine(170.0f * scale());
             ImGui::TextUnformatted(meaning);
         }
     }

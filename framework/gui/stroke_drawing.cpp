@@ -6,15 +6,16 @@ namespace gui {
 namespace {
 
     struct Style {
-        float opacity;
+        float brightness, opacity;
         float width; // pixels of an ordinary screen
         bool isOutlined; // a filled area
     };
-    constexpr Style plain { 1.0f, 2.0f, false }, dimmed { 0.25f, 1.5f, false }, strong { 1.0f, 5.0f, true };
+    constexpr Style plain { 1.0f, 1.0f, 2.0f, false }, strong { 1.0f, 1.0f, 5.0f, true };
+    constexpr Style dimmed { 0.4f, 0.4f, 1.5f, false }; // darker, since many at one place add up to be opaque
 
-    ImU32 colorOf(const debug::Stroke& stroke, float opacity)
+    ImU32 colorOf(const debug::Stroke& stroke, float brightness, float opacity)
     {
-        const glm::vec3 c = glm::clamp(stroke.color, 0.0f, 1.0f);
+        const glm::vec3 c = brightness * glm::clamp(stroke.color, 0.0f, 1.0f);
         return ImGui::GetColorU32({ c.x, c.y, c.z, opacity });
     }
 
@@ -22,12 +23,13 @@ namespace {
     {
         const auto count = static_cast<int>(points.size());
         const float width = style.width * scale();
-        const ImU32 color = colorOf(stroke, stroke.opacity * style.opacity);
+        const ImU32 color = colorOf(stroke, style.brightness, stroke.opacity * style.opacity);
         if (!stroke.isFilled)
             return list.AddPolyline(points.data(), count, color, ImDrawFlags_None, width);
         list.AddConvexPolyFilled(points.data(), count, color);
         if (style.isOutlined)
-            list.AddPolyline(points.data(), count, colorOf(stroke, 1.0f), ImDrawFlags_Closed, width);
+            list.AddPolyline(
+                points.data(), count, colorOf(stroke, style.brightness, style.opacity), ImDrawFlags_Closed, width);
     }
 
 }

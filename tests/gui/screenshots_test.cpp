@@ -28,7 +28,7 @@ std::vector<std::string> sceneNames()
 // The first line of the side panel tells of times.
 gui::Picture withoutFigures(gui::Picture picture)
 {
-    constexpr glm::ivec2 size { 350, 24 };
+    const glm::ivec2 size = glm::ivec2(350, 24) * (picture.size.x / 1280);
     for (int y = picture.size.y - size.y; y < picture.size.y; ++y)
         std::fill_n(picture.pixels.begin() + y * picture.size.x, size.x, glm::vec3(0.0f));
     return picture;
@@ -104,6 +104,23 @@ TEST_CASE("A followed ray and the page of help look like their kept pictures", "
     window.moveMouse({ 1, 1 });
     window.drawFrames(3);
     compareWithKept(window, "ray_and_help");
+}
+
+TEST_CASE("A level and a leaf of the tree, and handles of lights, look like their kept picture, also on a dense screen",
+    "[window]")
+{
+    const int density = GENERATE(1, 2);
+    tests::OpenedWindow window { source / "scenes" / "cube.toml", tests::reference, density };
+    window.drawUntilTraced();
+    window.showOnly("lights");
+    window.activate("light handles");
+    window.showOnly("tree");
+    window.activate("level");
+    window.activate("leaf");
+    window.enter("##which level", "1");
+    window.drawUntil([&] { return window.application.tree().drawing().shapes.size() > 3; });
+    window.drawFrames(2);
+    compareWithKept(window, density == 1 ? "tree" : "tree_dense");
 }
 
 // Against the same limits, and against the traced picture by what is background in the one and not in the other.

@@ -102,7 +102,7 @@ TEST_CASE("A leaf is drawn with its box and its few triangles, and there is none
     CHECK(countDrawn<debug::DrawnTriangle>(window) <= 4);
 }
 
-TEST_CASE("A submission's own drawing of its tree is shown; when it fails, switching it off brings the picture back",
+TEST_CASE("A submission's own drawing of its tree is shown, and switching off one that fails brings the picture back",
     "[window]")
 {
     const std::string text = files::readText(tests::reference / "bvh.cpp");
