@@ -69,6 +69,30 @@ TEST_CASE("What code printed before it looped or crashed is shown, also while no
     CHECK(isPrinted(window, "last words"));
 }
 
+TEST_CASE("What a worker printed is not lost when another one takes its place before it was taken", "[gui]")
+{
+    const tests::ChangedReference folder { "light.cpp",
+        lightThat("std::cout << \"last words\\n\"; *static_cast<volatile int*>(nullptr) = 0;") };
+    const gui::Document document { tests::cornell };
+    Config config = document.settings.config;
+    config.size = { 32, 32 };
+    gui::Tracer tracer { folder.path() };
+    const auto waitUntil = [](const auto& isSo) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+        while (!isSo()) {
+            std::this_thread::yield();
+            if (std::chrono::steady_clock::now() > end)
+                FAIL("waited in vain");
+        }
+    };
+    tracer.show(document.path(), { makeTrackball(config), config.features, document.settings.lights, config.size });
+    waitUntil([&] { return tracer.message().find("Segmentation fault") != std::string::npos; });
+    folder.repair();
+    waitUntil([&] { return tracer.takePicture().has_value(); });
+    CHECK_THAT(tracer.takePrinted(), Catch::Contains("last words\n"));
+    CHECK(tracer.takePrinted().empty());
+}
+
 TEST_CASE("Of a flood of lines the newest are kept, and the picture is completed", "[window]")
 {
     const tests::ChangedReference folder { "light.cpp", lightThat(R"(
