@@ -1,5 +1,6 @@
 // ./raywork render: renders a scene with a submission's code, in a process of its own.
 #include "app/progress_bar.h"
+#include "app/run_command.h"
 #include "app/save_debug_ray.h"
 #include "app/save_picture.h"
 #include "debug/false_color.h"
@@ -7,15 +8,11 @@
 #include "submission/submission.h"
 #include "worker/debug_ray.h"
 #include "worker/process.h"
-#include <CLI/CLI.hpp>
-#include <fmt/core.h>
 #include <optional>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-enum ExitCode { Success = 0, BadInput = 2, SubmissionFailed = 70 };
 
 struct Options {
     std::string scene;
@@ -114,8 +111,10 @@ public:
         constexpr std::chrono::hours patience { 24 * 365 }; // whoever waits can interrupt
         worker::Message input;
         input << request;
+        const struct Bar {
+            ~Bar() { app::clearProgressBar(); } // also before what went wrong is told
+        } bar;
         const worker::Answer answer = m_process.ask(probe, input, patience, app::drawProgressBar);
-        app::clearProgressBar();
         worker::Reader reader { answer.output };
         return reader.read<Result>();
     }
@@ -181,13 +180,26 @@ void followRay(const Options& options, const fs::path& output)
         fmt::print("{} more were drawn than are kept\n", ray.numDropped);
 }
 
-void run(const Options& options)
+void renderOrFollow(const Options& options)
 {
     const fs::path output = options.output.empty() ? fs::path(options.scene).stem().string() + ".png" : options.output;
     if (options.debugRay.empty())
         render(options, output);
     else
         followRay(options, output);
+}
+
+int run(const Options& options)
+{
+    try {
+        renderOrFollow(options);
+        return app::Success;
+    } catch (const worker::Failure& failure) {
+        fmt::print(stderr, "the code of {} failed: {}\n", options.with, failure.what());
+        return app::SubmissionFailed;
+    } catch (const app::PictureNotSaved&) {
+        return app::BadInput;
+    }
 }
 
 }
@@ -197,23 +209,5 @@ int main(int argc, char** argv)
     CLI::App cli { "Renders a scene.", "./raywork render" };
     Options options;
     declare(cli, options);
-    try {
-        cli.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return cli.exit(error) == 0 ? Success : BadInput;
-    }
-    try {
-        run(options);
-        return Success;
-    } catch (const worker::Failure& failure) {
-        app::clearProgressBar();
-        fmt::print(stderr, "the code of {} failed: {}\n", options.with, failure.what());
-        return SubmissionFailed;
-    } catch (const app::PictureNotSaved&) {
-        return BadInput;
-    } catch (const std::exception& error) {
-        app::clearProgressBar();
-        fmt::print(stderr, "{}\n", error.what());
-        return BadInput;
-    }
+    return app::runCommand(cli, argc, argv, [&] { return run(options); });
 }

@@ -8,18 +8,6 @@ namespace {
     constexpr int maxSize = 32768; // pixels: more than any screen, and width * height fits an int
     constexpr Range openHalfTurn { 0.001f, 179.999f, "an angle between 0 and 180 degrees" };
 
-    void readCamera(TableReader& top, CameraConfig& camera)
-    {
-        if (const TomlValue* value = top.find("camera")) {
-            TableReader table(top.path(), *value);
-            table.read("look_at", camera.lookAt);
-            table.read("rotation", camera.rotation);
-            table.read("distance", camera.distanceFromLookAt, notNegative);
-            table.read("field_of_view", camera.fieldOfView, openHalfTurn);
-            table.finish();
-        }
-    }
-
     void readFeature(const TableReader& table, const TomlEntry& entry, Features& features)
     {
         const auto set = [&](const auto& content) {
@@ -44,6 +32,18 @@ namespace {
         }
     }
 
+}
+
+void readCamera(TableReader& top, CameraConfig& camera)
+{
+    if (const TomlValue* value = top.find("camera")) {
+        TableReader table(top.path(), *value);
+        table.read("look_at", camera.lookAt);
+        table.read("rotation", camera.rotation);
+        table.read("distance", camera.distanceFromLookAt, notNegative);
+        table.read("field_of_view", camera.fieldOfView, openHalfTurn);
+        table.finish();
+    }
 }
 
 Config readConfig(TableReader& top)

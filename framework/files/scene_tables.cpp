@@ -47,12 +47,6 @@ namespace {
         return { key, valueOf(value) };
     }
 
-    TomlValue::Table cameraTable(const CameraConfig& camera)
-    {
-        return { entryOf("look_at", camera.lookAt), entryOf("rotation", camera.rotation),
-            entryOf("distance", camera.distanceFromLookAt), entryOf("field_of_view", camera.fieldOfView) };
-    }
-
     // What is not as a scene file has it anyway.
     TomlValue::Table featuresTable(const Features& features)
     {
@@ -85,9 +79,16 @@ namespace {
 
 }
 
+TomlEntry cameraEntry(const CameraConfig& camera)
+{
+    const TomlValue::Table table { entryOf("look_at", camera.lookAt), entryOf("rotation", camera.rotation),
+        entryOf("distance", camera.distanceFromLookAt), entryOf("field_of_view", camera.fieldOfView) };
+    return entryOf("camera", table);
+}
+
 TomlValue::Table configTables(const Config& config)
 {
-    return { entryOf("size", config.size), entryOf("camera", cameraTable(config.camera)),
+    return { entryOf("size", config.size), cameraEntry(config.camera),
         entryOf("features", featuresTable(config.features)) };
 }
 

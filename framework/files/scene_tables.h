@@ -5,6 +5,9 @@
 
 namespace files {
 
+// What readCamera reads as this camera.
+[[nodiscard]] TomlEntry cameraEntry(const CameraConfig& camera);
+
 // What readConfig reads as this Config: size, camera and features.
 [[nodiscard]] TomlValue::Table configTables(const Config& config);
 

@@ -4,7 +4,7 @@
 #include "files/scene_lights.h"
 #include "files/scene_tables.h"
 #include "files/text.h"
-#include "files/toml_text.h"
+#include "files/write_readable.h"
 #include <algorithm>
 
 namespace files {
@@ -62,18 +62,13 @@ namespace {
         return scene;
     }
 
-    // What the reader would refuse of what is new.
-    void expectReadable(const fs::path& to, const std::string& text)
+    // What is new in it.
+    void readAgain(const fs::path& path, const TomlValue& document)
     {
-        try {
-            const TomlValue document = parseToml(to, text);
-            TableReader top(to, document);
-            (void)readConfig(top);
-            for (TableReader& table : top.readTables("light"))
-                (void)readLight(table, {});
-        } catch (const Error& error) {
-            throw Error(to, std::string("not written, since it could not be read: ") + error.what());
-        }
+        TableReader top(path, document);
+        (void)readConfig(top);
+        for (TableReader& table : top.readTables("light"))
+            (void)readLight(table, {});
     }
 
 }
@@ -84,9 +79,8 @@ void saveScene(
     if (lowerExtension(to) != ".toml")
         throw Error(to, "found the extension \"" + to.extension().string() + "\", expected a scene in .toml");
     try {
-        const std::string text = tomlText(sceneTable(to, original, config, lights));
-        expectReadable(to, text);
-        writeText(to, text);
+        writeReadable(
+            to, sceneTable(to, original, config, lights), [&](const TomlValue& document) { readAgain(to, document); });
     } catch (const fs::filesystem_error& error) {
         throw Error(to, "cannot be written: " + error.code().message());
     }

@@ -1,17 +1,17 @@
 #include "gui/application.h"
+#include "files/camera_file.h"
 #include "files/error.h"
 #include "gui/false_color_panel.h"
 #include "gui/orbit.h"
 #include "gui/panels.h"
 #include "gui/samples_panel.h"
-#include "submission/paths.h"
-#include <imgui.h>
+#include "gui/scale.h"
 
 namespace gui {
 
 namespace fs = std::filesystem;
 
-static constexpr float sideWidth = 360.0f;
+static constexpr float sideWidth = 360.0f; // pixels of an ordinary screen
 
 Application::Application(const fs::path& scene, const fs::path& submission)
     : m_document(scene)
@@ -19,13 +19,15 @@ Application::Application(const fs::path& scene, const fs::path& submission)
 {
 }
 
-void Application::frame(glm::ivec2 windowSize)
+void Application::frame(Window& window)
 {
-    m_first = { sideWidth * ImGui::GetIO().FontGlobalScale, 0.0f };
-    m_last = glm::max(glm::vec2(windowSize) - glm::vec2(0.0f, ProfilerStrip::height()), m_first + 16.0f);
+    m_first = { sideWidth * scale(), 0.0f };
+    m_last = glm::max(glm::vec2(window.size()) - glm::vec2(0.0f, ProfilerStrip::height()), m_first + 16.0f);
+    if (const auto dropped = window.takeDropped())
+        open(*dropped);
     control();
     sidePanel();
-    m_profiler.show(m_picture, { 0.0f, m_last.y }, windowSize);
+    m_profiler.show(m_picture, { 0.0f, m_last.y }, window.size());
     helpPanel(m_showsHelp);
     if (const auto& ray = m_ray.followed()) {
         m_textureSpace.show(*ray, m_document.scene());
@@ -57,12 +59,17 @@ void Application::showView()
     }
     if (auto ray = m_tracer.takeRay())
         m_ray.show(std::move(*ray));
+    m_output.add(m_tracer.takePrinted());
+    m_tracer.drawTree(m_tree.wanted());
+    if (auto tree = m_tracer.takeTree())
+        m_tree.show(std::move(*tree));
     if (m_isRasterised) {
         drawRasterised();
     } else {
         m_texture.drawBehind(m_first, m_last);
         legend(m_picture, m_first, m_last);
     }
+    m_tree.drawOver(view().camera, m_first, m_last);
     m_ray.drawOver(view().camera, m_first, m_last);
     m_lightHandles.drawOver(m_document.settings.lights, view().camera, m_first, m_last);
 }
@@ -97,14 +104,11 @@ void Application::sidePanel()
             | ImGuiWindowFlags_NoBringToFrontOnFocus);
     status();
     if (ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen))
-        if (ImGui::BeginCombo("file", m_document.path().stem().c_str())) {
-            for (const auto& entry : fs::directory_iterator(fs::path(submission::sourceDirectory) / "scenes"))
-                if (entry.path().extension() == ".toml" && ImGui::Selectable(entry.path().stem().c_str()))
-                    openScene(entry.path());
-            ImGui::EndCombo();
-        }
+        if (const auto picked = m_scene.pick(m_document.path()))
+            open(*picked);
     if (ImGui::CollapsingHeader("save"))
         m_save.show(m_document, m_picture, glm::ivec2(m_last - m_first));
+    m_output.show(); // above what fills the panel, since it opens by itself
     if (ImGui::CollapsingHeader("features", ImGuiTreeNodeFlags_DefaultOpen))
         featuresPanel(m_document.settings.config.features);
     if (ImGui::CollapsingHeader("camera"))
@@ -113,6 +117,10 @@ void Application::sidePanel()
         m_lightHandles.showSwitch();
         lightsPanel(m_document.settings.lights);
     }
+    if (ImGui::CollapsingHeader("tree"))
+        m_tree.controls();
+    if (m_ray.isToBeSeen())
+        ImGui::SetNextItemOpen(true);
     if (ImGui::CollapsingHeader("ray", ImGuiTreeNodeFlags_DefaultOpen))
         m_ray.list();
     ImGui::End();
@@ -131,21 +139,26 @@ void Application::status()
         ImGui::Checkbox("wireframe", &m_isWireframe);
     else if (const auto chosen = quantityCombo(m_quantity))
         showQuantity(*chosen);
-    const std::string message = m_error + m_tracer.message();
+    const std::string text = message();
     ImGui::PushStyleColor(ImGuiCol_Text, { 1.0f, 0.5f, 0.4f, 1.0f });
-    if (!message.empty())
-        ImGui::TextWrapped("%s", message.c_str());
+    if (!text.empty())
+        ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
 }
 
-void Application::openScene(const fs::path& path)
+void Application::open(const fs::path& path)
 {
     try {
+        m_error.clear();
+        if (files::isCameraFile(path)) {
+            m_document.settings.config.camera = files::loadCamera(path);
+            return;
+        }
         m_document = Document(path);
         m_shown.reset();
         m_raster.reset();
         m_ray.forget();
-        m_error.clear();
+        m_tree.forget();
     } catch (const files::Error& error) {
         m_error = std::string(error.what()) + "\n";
     }
@@ -156,6 +169,8 @@ void Application::control()
 {
     const ImGuiIO& io = ImGui::GetIO();
     m_lightHandles.control(m_document.settings.lights, view().camera, m_first, m_last);
+    if (!m_lightHandles.isUnderMouse())
+        m_ray.control(view().camera, m_first, m_last);
     if (!io.WantCaptureMouse)
         orbit();
     if (io.WantTextInput)

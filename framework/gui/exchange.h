@@ -1,9 +1,12 @@
 #pragma once
 #include "debug/false_color.h"
 #include "worker/debug_ray.h"
+#include "worker/output.h"
+#include "worker/tree_drawing.h"
 #include "worker/view.h"
 #include <condition_variable>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -29,6 +32,7 @@ struct Wanted {
     worker::View view;
     bool isPaused = false; // no picture is wanted for now
     std::optional<glm::ivec2> pixel; // whose ray is to be followed, once
+    worker::TreeRequest tree; // what is to be drawn of it
     uint64_t number = 0; // another one, another view
 };
 
@@ -39,6 +43,9 @@ struct Exchange {
     Wanted wanted;
     std::optional<Picture> picture; // the newest, until it is taken
     std::optional<worker::DebugRay> ray; // likewise
+    std::optional<worker::TreeDrawing> tree; // likewise
+    std::shared_ptr<worker::Output> output; // of the worker that runs, or ran last; null: of none so far
+    std::string printed; // by workers before, until it is taken
     std::string message; // what is wrong with the submission or the scene; empty while all is well
 };
 

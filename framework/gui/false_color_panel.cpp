@@ -1,4 +1,5 @@
 #include "gui/false_color_panel.h"
+#include "gui/scale.h"
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -16,7 +17,7 @@ namespace {
     void heatBar(const debug::Range& range)
     {
         constexpr int numSteps = 64; // linear in between
-        const glm::vec2 size = glm::vec2(256.0f, 14.0f) * ImGui::GetIO().FontGlobalScale;
+        const glm::vec2 size = glm::vec2(256.0f, 14.0f) * scale();
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const float step = size.x / static_cast<float>(numSteps);
         const auto colorAt = [](int i) { return toImGui(debug::heat(static_cast<float>(i) / numSteps)); };

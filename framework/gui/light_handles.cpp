@@ -1,10 +1,10 @@
 #include "gui/light_handles.h"
-#include <imgui.h>
+#include "gui/scale.h"
 
 namespace gui {
 namespace {
 
-    constexpr float radius = 7.0f; // of a disc, in pixels
+    constexpr float discRadius = 7.0f, rimWidth = 1.5f, lineWidth = 2.0f; // pixels of an ordinary screen
 
     bool isAmong(const std::vector<Scene::SceneLight>& lights, const LightPoint& p)
     {
@@ -38,7 +38,7 @@ void LightHandles::hover(const std::vector<Scene::SceneLight>& lights, const deb
 {
     const bool isClicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     const bool isFree = !ImGui::GetIO().WantCaptureMouse && (isClicked || !ImGui::IsAnyMouseDown());
-    m_hovered = m_isShown && isFree ? pointAt(lights, projection, m_mouse, radius) : std::nullopt;
+    m_hovered = m_isShown && isFree ? pointAt(lights, projection, m_mouse, discRadius * scale()) : std::nullopt;
     if (!m_hovered || !isClicked)
         return;
     m_dragged = m_hovered;
@@ -63,18 +63,19 @@ void LightHandles::drawOver(const std::vector<Scene::SceneLight>& lights, const 
     const auto toWindow = [&](const glm::vec2& shown) { return ImVec2(first.x + shown.x, last.y - shown.y); };
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({ first.x, first.y }, { last.x, last.y });
+    const float radius = discRadius * scale();
     constexpr ImU32 rim = IM_COL32(0, 0, 0, 255), plain = IM_COL32(255, 240, 160, 255);
     constexpr ImU32 held = IM_COL32(255, 150, 40, 255);
     for (std::size_t light = 0; light < lights.size(); ++light) {
         for (const auto& [from, to] : linesOf(lights[light]))
             if (const auto shown = projection.line(from, to))
-                list.AddLine(toWindow(shown->first), toWindow(shown->second), plain, 2.0f);
+                list.AddLine(toWindow(shown->first), toWindow(shown->second), plain, lineWidth * scale());
         const auto points = pointsOf(lights[light]);
         for (std::size_t point = 0; point < points.size(); ++point)
             if (const auto shown = projection.point(points[point])) {
                 list.AddCircleFilled(toWindow(*shown), radius, rim);
-                list.AddCircleFilled(
-                    toWindow(*shown), radius - 1.5f, m_hovered == LightPoint { light, point } ? held : plain);
+                list.AddCircleFilled(toWindow(*shown), radius - rimWidth * scale(),
+                    m_hovered == LightPoint { light, point } ? held : plain);
             }
     }
     list.PopClipRect();

@@ -13,6 +13,7 @@ public:
     void control(
         std::vector<Scene::SceneLight>& lights, const Trackball& camera, const glm::vec2& first, const glm::vec2& last);
     [[nodiscard]] bool isDragging() const { return m_dragged.has_value(); }
+    [[nodiscard]] bool isUnderMouse() const { return m_hovered.has_value(); }
 
     // Over the picture in the same area.
     void drawOver(const std::vector<Scene::SceneLight>& lights, const Trackball& camera, const glm::vec2& first,

@@ -1,5 +1,7 @@
 #include "gui/ray_panel.h"
-#include "debug/strokes.h"
+#include "gui/scale.h"
+#include "gui/stroke_at.h"
+#include "gui/stroke_drawing.h"
 #include <fmt/format.h>
 #include <framework/variant_helper.h>
 #include <imgui.h>
@@ -93,32 +95,44 @@ void RayPanel::list()
         if (ImGui::Selectable(line.c_str(), m_selected == i))
             m_selected = m_selected == i ? std::nullopt : std::optional(i);
         ImGui::PopStyleColor();
+        if (m_scrollsToSelected && m_selected == i)
+            ImGui::SetScrollHereY();
     }
+    m_scrollsToSelected = false;
 }
 
-void RayPanel::drawOver(const Trackball& camera, glm::vec2 first, glm::vec2 last) const
+std::vector<Stroke> RayPanel::strokes(const Trackball& camera, glm::ivec2 size) const
 {
     if (!m_ray)
+        return {};
+    std::vector<Stroke> strokes = strokesOf(m_ray->shapes, Projection(camera, size));
+    std::erase_if(strokes, [&](const Stroke& stroke) { return !isShown(stroke.shape); });
+    return strokes;
+}
+
+// A button that is released where it was pressed; the camera turns while it is dragged.
+static bool isClicked(const ImGuiIO& io)
+{
+    return ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !io.WantCaptureMouse
+        && !io.MouseDownOwned[ImGuiMouseButton_Left]
+        && io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
+void RayPanel::control(const Trackball& camera, const glm::vec2& first, const glm::vec2& last)
+{
+    constexpr float radius = 6.0f; // pixels of an ordinary screen
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!m_ray || !isClicked(io))
         return;
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.PushClipRect({ first.x, first.y }, { last.x, last.y });
-    const glm::ivec2 size { last - first };
-    for (const Stroke& stroke : strokesOf(m_ray->shapes, Projection(camera, size))) {
-        if (!isShown(stroke.shape))
-            continue;
-        std::vector<ImVec2> points;
-        for (const glm::vec2& point : stroke.points)
-            points.emplace_back(first.x + point.x, last.y - point.y);
-        const glm::vec3 c = glm::clamp(stroke.color, 0.0f, 1.0f);
-        const bool isSelected = m_selected == stroke.shape;
-        const ImU32 color = ImGui::GetColorU32({ c.x, c.y, c.z, stroke.opacity });
-        if (stroke.isFilled)
-            list.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
-        else
-            list.AddPolyline(
-                points.data(), static_cast<int>(points.size()), color, ImDrawFlags_None, isSelected ? 5.0f : 2.0f);
-    }
-    list.PopClipRect();
+    const glm::vec2 place { io.MousePos.x - first.x, last.y - io.MousePos.y };
+    m_selected = shapeAt(strokes(camera, glm::ivec2(last - first)), place, radius * scale());
+    m_scrollsToSelected = m_selected.has_value();
+}
+
+void RayPanel::drawOver(const Trackball& camera, const glm::vec2& first, const glm::vec2& last) const
+{
+    const bool isSelectedShown = m_ray && m_selected && isShown(*m_selected);
+    drawStrokes(strokes(camera, glm::ivec2(last - first)), isSelectedShown ? m_selected : std::nullopt, first, last);
 }
 
 }

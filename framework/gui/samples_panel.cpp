@@ -1,8 +1,8 @@
 #include "gui/samples_panel.h"
 #include "gui/magnified.h"
 #include "gui/pixel_samples.h"
+#include "gui/scale.h"
 #include <functional>
-#include <imgui.h>
 
 namespace gui {
 namespace {
@@ -32,15 +32,15 @@ namespace {
     void drawSample(ImDrawList& list, const Magnified& pixel, const glm::vec2& sample)
     {
         if (!glm::any(glm::isnan(sample)))
-            list.AddCircleFilled(
-                at(pixel, glm::clamp(sample, pixel.first, pixel.last)), 3.0f, isInPixel(sample) ? inside : outside);
+            list.AddCircleFilled(at(pixel, glm::clamp(sample, pixel.first, pixel.last)), 3.0f * scale(),
+                isInPixel(sample) ? inside : outside);
     }
 
     void drawPixel(const std::vector<glm::vec2>& samples, const Features& features)
     {
         constexpr std::size_t most = 4096; // that a picture of this size can tell apart
         constexpr float margin = 0.25f; // for those outside, in pixels of the picture
-        const float side = 180.0f * ImGui::GetIO().FontGlobalScale;
+        const float side = 180.0f * scale();
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const Magnified pixel { { corner.x, corner.y }, glm::vec2(-margin), glm::vec2(1.0f + margin),
             side / (1.0f + 2.0f * margin) };

@@ -6,19 +6,23 @@
 namespace gui {
 
 // Saves what is seen under a name that its user types: the scene as a file that `render` makes the same picture from,
-// and the picture itself as it is.
+// the picture itself as it is, and the camera alone, which can be taken over from there again.
 class SavePanel {
 public:
     // area: of the picture in the window, in pixels.
-    void show(const Document& document, const Picture& picture, glm::ivec2 area);
+    void show(Document& document, const Picture& picture, glm::ivec2 area);
+
+    // What came of the last attempt, as it is told.
+    [[nodiscard]] const std::string& outcome() const { return m_outcome; }
 
 private:
     void saveScene(const Document& document, glm::ivec2 area);
     void savePicture(const Picture& picture);
-    template <typename Save> void trySaving(const std::string& extension, const Save& save);
+    void cameraButtons(CameraConfig& camera);
+    template <typename Action> void attempt(const char* done, const std::string& extension, const Action& action);
 
     std::string m_name = "saved"; // a path without extension
-    std::string m_outcome; // of the last saving
+    std::string m_outcome;
 };
 
 }

@@ -1,8 +1,8 @@
 #include "gui/texture_panel.h"
 #include "gui/magnified.h"
+#include "gui/scale.h"
 #include "gui/texture_space.h"
 #include <fmt/format.h>
-#include <imgui.h>
 
 namespace gui {
 namespace {
@@ -23,14 +23,15 @@ namespace {
         return { p.x, p.y };
     }
 
-    // Reserves room for a part of texture space in the current window. The longer side takes so many pixels.
+    // Reserves room for a part of texture space in the current window. The longer side takes so many pixels of an
+    // ordinary screen.
     Magnified reserve(const glm::vec2& first, const glm::vec2& last, float side)
     {
         const glm::vec2 extent = last - first;
-        const float scale = side * ImGui::GetIO().FontGlobalScale / std::max(extent.x, extent.y);
+        const float magnification = side * scale() / std::max(extent.x, extent.y);
         const ImVec2 corner = ImGui::GetCursorScreenPos();
-        ImGui::Dummy({ scale * extent.x, scale * extent.y });
-        return { { corner.x, corner.y }, first, last, scale };
+        ImGui::Dummy({ magnification * extent.x, magnification * extent.y });
+        return { { corner.x, corner.y }, first, last, magnification };
     }
 
     void fill(const Magnified& part, const glm::vec2& first, const glm::vec2& last, const glm::vec3& color)
@@ -44,8 +45,8 @@ namespace {
     {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 a = at(part, { first.x, last.y }), b = at(part, { last.x, first.y });
-        list.AddRect(a, b, black, 0.0f, ImDrawFlags_None, 4.0f);
-        list.AddRect(a, b, outline, 0.0f, ImDrawFlags_None, 2.0f);
+        list.AddRect(a, b, black, 0.0f, ImDrawFlags_None, 4.0f * scale());
+        list.AddRect(a, b, outline, 0.0f, ImDrawFlags_None, 2.0f * scale());
     }
 
     // On the side of the texel that is away from the point, which is marked over it.
@@ -65,11 +66,11 @@ namespace {
     {
         if (!part.shows(point))
             return;
-        constexpr float arm = 5.0f; // pixels
+        const float arm = 5.0f * scale(); // pixels
         const ImVec2 p = at(part, point);
         for (const auto& [color, width] : { std::pair(black, 4.0f), std::pair(cross, 2.0f) }) {
-            ImGui::GetWindowDrawList()->AddLine({ p.x - arm, p.y }, { p.x + arm, p.y }, color, width);
-            ImGui::GetWindowDrawList()->AddLine({ p.x, p.y - arm }, { p.x, p.y + arm }, color, width);
+            ImGui::GetWindowDrawList()->AddLine({ p.x - arm, p.y }, { p.x + arm, p.y }, color, width * scale());
+            ImGui::GetWindowDrawList()->AddLine({ p.x, p.y - arm }, { p.x, p.y + arm }, color, width * scale());
         }
     }
 

@@ -20,7 +20,7 @@ void TraceLoop::run(const std::stop_token& stop)
         takeWanted();
         if (m_watched.hasChanged()) {
             m_program.clear();
-            m_hopeless.reset();
+            m_isHopeless = false;
         }
         try {
             work();
@@ -39,7 +39,8 @@ void TraceLoop::waitForWork(const std::stop_token& stop)
     std::unique_lock lock(m_exchange.mutex);
     m_exchange.changed.wait_for(lock, stop, isBusy ? std::chrono::milliseconds(0) : interval, [&] {
         const Wanted& now = m_exchange.wanted;
-        return now.number != m_wanted.number || now.isPaused != m_wanted.isPaused || now.pixel;
+        return now.number != m_wanted.number || now.isPaused != m_wanted.isPaused || now.pixel
+            || now.tree != m_wanted.tree;
     });
 }
 
@@ -47,6 +48,8 @@ void TraceLoop::takeWanted()
 {
     const std::lock_guard lock(m_exchange.mutex);
     const bool isNew = m_exchange.wanted.number != m_wanted.number;
+    if (isNew || m_exchange.wanted.tree != m_wanted.tree)
+        m_isHopeless = false;
     m_wanted = m_exchange.wanted;
     m_exchange.wanted.pixel.reset();
     if (isNew)
@@ -55,7 +58,7 @@ void TraceLoop::takeWanted()
 
 void TraceLoop::work()
 {
-    if (m_wanted.scene.empty() || m_hopeless == m_wanted.number)
+    if (m_wanted.scene.empty() || m_isHopeless)
         return;
     if (m_program.empty())
         build();
@@ -64,6 +67,8 @@ void TraceLoop::work()
         open();
     if (m_wanted.pixel)
         follow(*std::exchange(m_wanted.pixel, std::nullopt));
+    if (m_drawnTree != m_wanted.tree)
+        drawTree();
     refine();
 }
 
@@ -82,15 +87,27 @@ void TraceLoop::build()
     say(warnings());
 }
 
-void TraceLoop::open()
+// What the one before has printed is still to be seen.
+void TraceLoop::startWorker()
 {
     worker::Limits limits;
     limits.captureOutput = true;
     limits.readable = { "/" }; // a scene names its meshes and textures wherever they lie
     m_process.emplace(m_program, limits);
+    const std::lock_guard lock(m_exchange.mutex);
+    if (m_exchange.output)
+        m_exchange.printed += m_exchange.output->take();
+    m_exchange.output = m_process->output();
+}
+
+void TraceLoop::open()
+{
+    startWorker();
     m_openScene = m_wanted.scene;
     m_isOpenWithSah = m_wanted.view.features.extra.enableBvhSahBinning;
+    m_drawnTree.reset();
     ask<void>("view.open", worker::OpenRequest { m_openScene.string(), m_isOpenWithSah });
+    say(warnings()); // why the last one failed is over
 }
 
 void TraceLoop::refine()
@@ -113,6 +130,14 @@ void TraceLoop::follow(glm::ivec2 pixel)
     m_exchange.ray = std::move(ray);
 }
 
+void TraceLoop::drawTree()
+{
+    auto tree = ask<worker::TreeDrawing>("view.tree", m_wanted.tree);
+    m_drawnTree = m_wanted.tree;
+    const std::lock_guard lock(m_exchange.mutex);
+    m_exchange.tree = std::move(tree);
+}
+
 template <typename Result, typename Request> Result TraceLoop::ask(const std::string& probe, const Request& request)
 {
     constexpr std::chrono::seconds patience { 5 }; // for rows that are asked for a thirtieth of a second
@@ -128,7 +153,7 @@ template <typename Result, typename Request> Result TraceLoop::ask(const std::st
 
 void TraceLoop::giveUp(const std::string& message)
 {
-    m_hopeless = m_wanted.number;
+    m_isHopeless = true;
     m_process.reset();
     m_refinement.reset();
     say(warnings() + message);

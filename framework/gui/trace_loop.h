@@ -22,8 +22,10 @@ private:
     void work();
     void build();
     void open();
+    void startWorker();
     void refine();
     void follow(glm::ivec2 pixel);
+    void drawTree();
     void giveUp(const std::string& message);
     void noteUnwritten(const std::vector<std::string>& functions);
     void say(const std::string& message);
@@ -38,9 +40,10 @@ private:
     std::optional<worker::Process> m_process;
     std::filesystem::path m_openScene; // of the process
     bool m_isOpenWithSah = false;
+    std::optional<worker::TreeRequest> m_drawnTree; // of the process
     Wanted m_wanted;
     std::optional<Refinement> m_refinement;
-    std::optional<uint64_t> m_hopeless; // the view that failed
+    bool m_isHopeless = false; // what is wanted: it failed
     std::string m_warning; // of the build
     std::set<std::string> m_unwritten; // functions of the submission that were called and are not there
 };

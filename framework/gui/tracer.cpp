@@ -25,6 +25,13 @@ void Tracer::follow(glm::ivec2 pixel)
     m_exchange.changed.notify_one();
 }
 
+void Tracer::drawTree(const worker::TreeRequest& request)
+{
+    const std::lock_guard lock(m_exchange.mutex);
+    m_exchange.wanted.tree = request;
+    m_exchange.changed.notify_one();
+}
+
 void Tracer::setPaused(bool isPaused)
 {
     const std::lock_guard lock(m_exchange.mutex);
@@ -42,6 +49,19 @@ std::optional<worker::DebugRay> Tracer::takeRay()
 {
     const std::lock_guard lock(m_exchange.mutex);
     return std::exchange(m_exchange.ray, std::nullopt);
+}
+
+std::optional<worker::TreeDrawing> Tracer::takeTree()
+{
+    const std::lock_guard lock(m_exchange.mutex);
+    return std::exchange(m_exchange.tree, std::nullopt);
+}
+
+std::string Tracer::takePrinted()
+{
+    const std::lock_guard lock(m_exchange.mutex);
+    std::string printed = std::exchange(m_exchange.printed, "");
+    return m_exchange.output ? printed + m_exchange.output->take() : printed;
 }
 
 std::string Tracer::message()

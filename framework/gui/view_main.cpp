@@ -1,26 +1,22 @@
 // ./raywork view: a window in which a submission's code traces a scene.
-#include "files/error.h"
+#include "app/run_command.h"
 #include "gui/application.h"
 #include "gui/layout_file.h"
 #include "gui/window.h"
 #include "submission/named_folder.h"
 #include "submission/paths.h"
-#include <CLI/CLI.hpp>
-#include <fmt/core.h>
 #include <imgui.h>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-enum ExitCode { Success = 0, BadInput = 2, Unavailable = 69 };
-
 struct Options {
     std::string scene = (fs::path(submission::sourceDirectory) / "scenes" / "cornell_box.toml").string();
     std::string with = "reference";
 };
 
-void run(const Options& options)
+void show(const Options& options)
 {
     const std::string layout = gui::layoutFile();
     gui::Window window { "Raywork", { 1280, 720 } };
@@ -28,9 +24,20 @@ void run(const Options& options)
     gui::Application application { options.scene, submission::namedFolder(options.with) };
     while (!window.shouldClose()) {
         window.beginFrame();
-        application.frame(window.size());
+        application.frame(window);
         window.drawFrame();
         window.showFrame();
+    }
+}
+
+int run(const Options& options)
+{
+    try {
+        show(options);
+        return app::Success;
+    } catch (const gui::NoWindow& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return app::Unavailable;
     }
 }
 
@@ -43,19 +50,5 @@ int main(int argc, char** argv)
     cli.add_option("scene", options.scene, "A scene (.toml) or a mesh (.obj) [scenes/cornell_box.toml]");
     cli.add_option("--with", options.with, "Whose code: student, reference, or a submission's folder [reference]");
     cli.footer("Exit codes: 0 closed, 2 bad input, 69 no window can be opened.");
-    try {
-        cli.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return cli.exit(error) == 0 ? Success : BadInput;
-    }
-    try {
-        run(options);
-        return Success;
-    } catch (const gui::NoWindow& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return Unavailable;
-    } catch (const files::Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return BadInput;
-    }
+    return app::runCommand(cli, argc, argv, [&] { return run(options); });
 }

@@ -1,10 +1,13 @@
 #include "gui/window.h"
+#include "gui/scale.h"
 #define GLFW_INCLUDE_NONE
 #include <GL/gl.h>
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace gui {
 namespace {
@@ -16,13 +19,21 @@ namespace {
         return text ? text : "no reason is given";
     }
 
+    void onDrop(GLFWwindow* window, int count, const char** paths)
+    {
+        if (count > 0)
+            *static_cast<std::optional<std::filesystem::path>*>(glfwGetWindowUserPointer(window)) = paths[count - 1];
+    }
+
     // So that text is read as easily on a dense screen.
     void scaleTo(GLFWwindow* window)
     {
         float scale = 1.0f;
         glfwGetWindowContentScale(window, &scale, nullptr);
         ImGui::GetStyle().ScaleAllSizes(scale);
-        ImGui::GetIO().FontGlobalScale = scale;
+        ImFontConfig font;
+        font.SizePixels = std::round(plainFontSize * scale);
+        ImGui::GetIO().Fonts->AddFontDefault(&font);
     }
 
 }
@@ -34,6 +45,7 @@ Window::Window(const std::string& title, glm::ivec2 size)
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     m_window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     if (!m_window) {
         const std::string error = lastError();
@@ -42,6 +54,8 @@ Window::Window(const std::string& title, glm::ivec2 size)
     }
     glfwMakeContextCurrent(m_window);
     glfwSwapInterval(1);
+    glfwSetWindowUserPointer(m_window, &m_dropped);
+    glfwSetDropCallback(m_window, onDrop);
     ImGui::CreateContext();
     ImGui_ImplGlfw_InitForOpenGL(m_window, true);
     ImGui_ImplOpenGL3_Init("#version 330");
@@ -89,6 +103,11 @@ void Window::drawFrame()
 void Window::showFrame()
 {
     glfwSwapBuffers(m_window);
+}
+
+std::optional<std::filesystem::path> Window::takeDropped()
+{
+    return std::exchange(m_dropped, std::nullopt);
 }
 
 glm::ivec2 Window::size() const

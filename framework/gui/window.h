@@ -1,5 +1,7 @@
 #pragma once
+#include <filesystem>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,7 +18,7 @@ public:
 // A window with an OpenGL 3.3 context and Dear ImGui in it. One at a time.
 class Window {
 public:
-    // Throws NoWindow.
+    // The size is of an ordinary screen: on a denser one it has more pixels. Throws NoWindow.
     Window(const std::string& title, glm::ivec2 size);
     ~Window();
     Window(const Window&) = delete;
@@ -29,12 +31,16 @@ public:
     void drawFrame();
     void showFrame();
 
+    // The file that was dropped on it last, once.
+    [[nodiscard]] std::optional<std::filesystem::path> takeDropped();
+
     [[nodiscard]] glm::ivec2 size() const; // of what can be drawn on, in pixels
     [[nodiscard]] GLFWwindow* handle() const { return m_window; }
 
 private:
     GLFWwindow* m_window = nullptr;
     double m_lastFrame = 0.0; // when it began, in seconds
+    std::optional<std::filesystem::path> m_dropped;
 };
 
 }

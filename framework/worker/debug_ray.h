@@ -1,7 +1,7 @@
 #pragma once
-#include "debug/recording.h"
 #include "debug/texels.h"
 #include "worker/render_request.h"
+#include "worker/shape_message.h"
 #include <framework/trackball.h>
 
 namespace worker {
@@ -56,20 +56,14 @@ inline Reader& operator>>(Reader& reader, TextureLookup& l)
 
 inline Message& operator<<(Message& message, const DebugRay& r)
 {
-    message << r.size << r.pixel << r.camera << r.color << r.shapes.size();
-    for (const debug::Shape& shape : r.shapes)
-        message << shape.drawn << shape.cause;
-    return message << r.hits << r.lookups << r.samples << r.numDropped;
+    return message << r.size << r.pixel << r.camera << r.color << r.shapes << r.hits << r.lookups << r.samples
+                   << r.numDropped;
 }
 
 inline Reader& operator>>(Reader& reader, DebugRay& r)
 {
-    reader >> r.size >> r.pixel >> r.camera >> r.color;
-    for (auto left = reader.read<std::size_t>(); left > 0; --left) {
-        auto drawn = reader.read<debug::Drawn>();
-        r.shapes.push_back({ std::move(drawn), reader.read<debug::Cause>() });
-    }
-    return reader >> r.hits >> r.lookups >> r.samples >> r.numDropped;
+    return reader >> r.size >> r.pixel >> r.camera >> r.color >> r.shapes >> r.hits >> r.lookups >> r.samples
+        >> r.numDropped;
 }
 
 }

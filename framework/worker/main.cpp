@@ -3,7 +3,9 @@
 #include "values/unwritten.h"
 #include "worker/frame.h"
 #include "worker/probe.h"
+#include <cstdio>
 #include <exception>
+#include <iostream>
 
 namespace {
 
@@ -37,6 +39,7 @@ worker::Frame answer(const worker::Frame& request, const std::function<void(floa
 
 int main()
 {
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // of a crash, all lines before it are known
     worker::Frame request;
     while (worker::receiveFrame(worker::socketOfWorker, request, unlimited, never) == worker::Transfer::Done) {
         const auto progress = [&](float fraction) {
@@ -45,7 +48,10 @@ int main()
             (void)worker::sendFrame(
                 worker::socketOfWorker, { request.nonce, worker::Frame::Kind::Progress, message }, never);
         };
-        if (worker::sendFrame(worker::socketOfWorker, answer(request, progress), never) != worker::Transfer::Done)
+        const worker::Frame reply = answer(request, progress);
+        std::cout.flush(); // a buffer of its own, if it is not synchronised
+        std::fflush(stdout);
+        if (worker::sendFrame(worker::socketOfWorker, reply, never) != worker::Transfer::Done)
             return 1;
     }
     return 0;

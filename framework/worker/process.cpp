@@ -4,7 +4,6 @@
 #include <csignal>
 #include <cstring>
 #include <random>
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <system_error>
 #include <unistd.h>
@@ -34,10 +33,10 @@ Process::Process(const std::filesystem::path& executable, const Limits& limits)
     m_socket = sandbox::File(sockets[0]);
     const sandbox::File theirs { sockets[1] };
     if (limits.captureOutput)
-        m_output = sandbox::File(memfd_create("output", MFD_CLOEXEC));
+        m_output = std::make_shared<Output>();
     sandbox::Command command = commandOf(executable, limits);
     command.socket = theirs;
-    command.output = m_output;
+    command.output = m_output ? m_output->descriptor() : -1;
     m_child.emplace(command);
 }
 
@@ -105,13 +104,8 @@ void Process::failAtEnd()
 // What an assertion or a sanitizer says stands at the end of what was printed.
 std::string Process::lastPrinted() const
 {
-    if (m_output < 0)
-        return {};
-    constexpr off_t tail = 300; // characters
-    const off_t size = std::max<off_t>(lseek(m_output, 0, SEEK_END), 0);
-    std::string text(static_cast<std::size_t>(std::min(size, tail)), '\0');
-    const ssize_t got = pread(m_output, text.data(), text.size(), size - static_cast<off_t>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    constexpr std::size_t tail = 300; // characters
+    const std::string text = m_output ? m_output->last(tail) : "";
     return text.empty() ? text : "; it printed last: " + text;
 }
 

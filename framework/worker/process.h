@@ -2,8 +2,10 @@
 #include "sandbox/child.h"
 #include "sandbox/file.h"
 #include "worker/frame.h"
+#include "worker/output.h"
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,13 +56,16 @@ public:
     [[nodiscard]] Answer ask(const std::string& probe, const Message& input, std::chrono::milliseconds timeout,
         const std::function<void(float)>& onProgress = {});
 
+    // What it prints: null if not captured. It outlives the process, for whoever holds it.
+    [[nodiscard]] const std::shared_ptr<Output>& output() const { return m_output; }
+
 private:
     [[noreturn]] void fail(Transfer transfer);
     [[noreturn]] void failAtEnd();
     [[nodiscard]] std::string lastPrinted() const;
 
     sandbox::File m_socket;
-    sandbox::File m_output; // in memory; none if not captured
+    std::shared_ptr<Output> m_output;
     std::optional<sandbox::Child> m_child;
     std::size_t m_answerBytes;
     uint64_t m_nonce;

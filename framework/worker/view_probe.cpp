@@ -5,6 +5,7 @@
 #include "worker/follow_ray.h"
 #include "worker/measure_pixel.h"
 #include "worker/probe.h"
+#include "worker/tree_drawing.h"
 #include "worker/view.h"
 #include <chrono>
 #include <memory>
@@ -31,11 +32,16 @@ namespace {
 
     std::unique_ptr<Opened> opened;
 
-    Opened& withLights(const std::vector<Scene::SceneLight>& lights)
+    Opened& current()
     {
         if (!opened)
             throw std::logic_error("no scene is open");
-        opened->scene.lights = lights;
+        return *opened;
+    }
+
+    Opened& withLights(const std::vector<Scene::SceneLight>& lights)
+    {
+        current().scene.lights = lights;
         return *opened;
     }
 
@@ -82,6 +88,18 @@ namespace {
         const auto [view, pixel] = call.input.read<FollowRequest>();
         const Opened& now = withLights(view.lights);
         call.output << followRay(now.scene, view.features, now.bvh, view.camera, pixel, view.size);
+    });
+
+    const Probe tree("view.tree", [](Call& call) {
+        constexpr std::size_t most = 4096; // shapes, that can be told apart and drawn in each frame
+        const auto [level, leaf] = call.input.read<TreeRequest>();
+        BVH& bvh = current().bvh;
+        const debug::Recording recording { most };
+        if (level >= 0)
+            bvh.debugDrawLevel(level);
+        if (leaf >= 1)
+            bvh.debugDrawLeaf(leaf);
+        call.output << TreeDrawing { bvh.numLevels(), bvh.numLeaves(), recording.shapes(), recording.numDropped() };
     });
 
 }

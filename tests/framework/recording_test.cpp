@@ -188,7 +188,7 @@ TEST_CASE("What was drawn tells its bounce, and whether it was a ray to a light"
     world.features.enableDebugDraw = false;
     const Recording recording;
     (void)renderRay(world.state, { {}, { 0.1f, 0, -1 } });
-    int deepest = 0;
+    int16_t deepest = 0;
     for (const debug::Shape& shape : recording.shapes()) {
         const auto* drawn = std::get_if<debug::DrawnRay>(&shape.drawn);
         deepest = std::max(deepest, shape.cause.bounce);

@@ -1,5 +1,5 @@
+#include "changed_reference.h"
 #include "opened_window.h"
-#include "submission/paths.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -8,7 +8,6 @@
 // How fast the window answers: gui_tests [.measure] prints it. It is asked for by hand, on a machine that has nothing
 // else to do.
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 static double millisecondsSince(Clock::time_point start)
@@ -25,8 +24,7 @@ static double medianOf(std::vector<double> values)
 TEST_CASE("Milliseconds from a turn of the camera to the first picture, and frames a second meanwhile", "[.measure]")
 {
     const std::string scene = GENERATE("cornell_box", "teapot", "dragon", "soft_shadows");
-    const fs::path source { submission::sourceDirectory };
-    tests::OpenedWindow window { source / "scenes" / (scene + ".toml"), source / "reference" };
+    tests::OpenedWindow window { tests::source / "scenes" / (scene + ".toml"), tests::reference };
     window.drawUntilTraced();
     std::vector<double> first, frames;
     for (int i = 0; i < 21; ++i) {
@@ -54,4 +52,28 @@ TEST_CASE("Milliseconds from a turn of the camera to the first picture, and fram
         rasterised.push_back(millisecondsSince(frame));
     }
     fmt::print("{}: a rasterised frame {:.1f} ms (median)\n", scene, medianOf(rasterised));
+}
+
+TEST_CASE("Frames a second while the submission prints without end", "[.measure]")
+{
+    const tests::ChangedReference folder { "light.cpp", R"(
+#include "light.h"
+#include <cstdio>
+glm::vec3 computeContributionPointLight(RenderState&, const PointLight&, const Ray&, const HitInfo&)
+{
+    for (int i = 0; i < 100'000'000; ++i)
+        std::printf("line %d\n", i);
+    return {};
+}
+)" };
+    tests::OpenedWindow window { tests::cornell, folder.path() };
+    window.drawUntil([&] { return window.application.printed().lines().size() == gui::OutputLines::most; });
+    std::vector<double> frames;
+    for (int i = 0; i < 200; ++i) {
+        const auto start = Clock::now();
+        window.drawFrames(1);
+        frames.push_back(millisecondsSince(start));
+    }
+    fmt::print("a flood: a frame {:.1f} ms (median; longest {:.1f})\n", medianOf(frames), std::ranges::max(frames));
+    CHECK(window.application.printed().lines().size() == gui::OutputLines::most);
 }

@@ -1,5 +1,7 @@
 #include "opened_window.h"
+#define GLFW_INCLUDE_NONE
 #include <GL/gl.h>
+#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -10,8 +12,9 @@
 
 namespace tests {
 
-OpenedWindow::OpenedWindow(const std::filesystem::path& scene, const std::filesystem::path& submission)
-    : m_window("test", { 1280, 720 })
+OpenedWindow::OpenedWindow(const std::filesystem::path& scene, const std::filesystem::path& submission, int density)
+    : m_screen(density)
+    , m_window("test", { 1280, 720 })
     , application(scene, submission)
 {
     ImGui::GetIO().IniFilename = nullptr; // no test sees another's layout
@@ -22,7 +25,7 @@ void OpenedWindow::drawFrames(int count)
 {
     for (int i = 0; i < count; ++i) {
         m_window.beginFrame();
-        application.frame(m_window.size());
+        application.frame(m_window);
         m_window.drawFrame();
         m_window.showFrame();
     }
@@ -83,23 +86,73 @@ void OpenedWindow::pressKey(const std::string& key)
     drawUntil([&] { return !isAnyDown(); });
 }
 
-void OpenedWindow::activate(const char* label, int place)
+// By the window's own callback, which nobody but GLFW is given otherwise.
+void OpenedWindow::drop(const std::filesystem::path& file)
 {
-    const ImGuiWindow* const side = ImGui::FindWindowByName("side");
-    REQUIRE(side);
-    const ImGuiID list = place < 0 ? side->ID : ImHashData(&place, sizeof(place), side->ID);
-    ImGui::ActivateItem(ImHashStr(label, 0, list));
+    const GLFWdropfun onDrop = glfwSetDropCallback(m_window.handle(), nullptr);
+    glfwSetDropCallback(m_window.handle(), onDrop);
+    REQUIRE(onDrop);
+    const std::string path = file.string();
+    const char* const paths[] { path.c_str() };
+    onDrop(m_window.handle(), 1, const_cast<const char**>(paths));
+    drawFrames(2);
+}
+
+ImGuiID Control::id() const
+{
+    const ImGuiWindow* const window = ImGui::FindWindowByName(panel.c_str());
+    INFO(panel);
+    REQUIRE(window);
+    ImGuiID id = window->ID;
+    for (const auto& step : path)
+        if (const auto* const label = std::get_if<std::string>(&step))
+            id = ImHashStr(label->c_str(), 0, id);
+        else
+            id = ImHashData(&std::get<int>(step), sizeof(int), id);
+    return id;
+}
+
+void OpenedWindow::activate(const Control& control)
+{
+    ImGui::ActivateItem(control.id());
     drawFrames(3); // it is pressed in the next, and what follows from it is shown after that
 }
 
-void OpenedWindow::choose(const char* combo, const char* item)
+// The letters go where GLFW's go: which keys make them is the keyboard's affair.
+void OpenedWindow::enter(const Control& field, const std::string& text)
+{
+    ImGui::ActivateItem(field.id());
+    GImGui->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+    drawFrames(2);
+    ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+    pressKey("Return");
+    drawFrames(2);
+}
+
+void OpenedWindow::choose(const Control& combo, const std::string& item)
 {
     activate(combo);
-    const ImGuiWindow* const list = ImGui::FindWindowByName("##Combo_00");
-    REQUIRE(list);
-    REQUIRE(list->Active);
-    ImGui::ActivateItem(ImHashStr(item, 0, list->ID));
-    drawFrames(3);
+    const Control inList { { item }, "##Combo_00" };
+    ImGuiWindow* const list = ImGui::FindWindowByName("##Combo_00");
+    for (float y = 0.0f; list->Active && y <= list->ScrollMax.y + list->Size.y; y += list->Size.y / 2.0f) {
+        ImGui::SetScrollY(list, y);
+        drawFrames(2);
+        activate(inList);
+    }
+    REQUIRE_FALSE(list->Active); // it closes with the choice
+}
+
+bool OpenedWindow::isOpen(const std::string& section) const
+{
+    return ImGui::FindWindowByName("side")->StateStorage.GetBool(Control(section).id());
+}
+
+void OpenedWindow::showOnly(const std::string& section)
+{
+    ImGuiWindow* const side = ImGui::FindWindowByName("side");
+    for (const char* const name : { "scene", "save", "features", "camera", "lights", "output", "tree", "ray" })
+        side->StateStorage.SetInt(Control(name).id(), name == section);
+    drawFrames(2);
 }
 
 gui::Picture OpenedWindow::screenshot()
@@ -108,12 +161,26 @@ gui::Picture OpenedWindow::screenshot()
     picture.size = m_window.size();
     picture.pixels.resize(static_cast<std::size_t>(picture.size.x * picture.size.y));
     m_window.beginFrame();
-    application.frame(m_window.size());
+    application.frame(m_window);
     m_window.drawFrame();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, picture.size.x, picture.size.y, GL_RGB, GL_FLOAT, picture.pixels.data());
     m_window.showFrame();
     return picture;
+}
+
+Trackball OpenedWindow::camera() const
+{
+    Config config = application.document().settings.config;
+    config.size = application.picture().size;
+    return makeTrackball(config);
+}
+
+// The picture is at the top right.
+glm::ivec2 OpenedWindow::toWindow(const glm::vec2& place)
+{
+    const glm::ivec2 picture = application.picture().size;
+    return { m_window.size().x - picture.x + static_cast<int>(place.x), picture.y - static_cast<int>(place.y) };
 }
 
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "control.h"
 #include "gui/application.h"
 #include "gui/window.h"
 #include "virtual_screen.h"
@@ -9,7 +10,8 @@ namespace tests {
 // The window that a student opens, on a screen of its own.
 class OpenedWindow {
 public:
-    OpenedWindow(const std::filesystem::path& scene, const std::filesystem::path& submission);
+    // Density: pixels for one of an ordinary screen.
+    OpenedWindow(const std::filesystem::path& scene, const std::filesystem::path& submission, int density = 1);
 
     // Draws frames until it is so; fails the test if that takes longer than anything should.
     void drawUntil(const std::function<bool()>& isSo);
@@ -21,14 +23,24 @@ public:
     void dragMouse(glm::ivec2 from, glm::ivec2 to, int button = 1);
     void pressKey(const std::string& key);
 
-    // A control of the side panel, by its label and, in a list, by its place.
-    void activate(const char* label, int place = -1);
+    void drop(const std::filesystem::path& file);
 
-    // One of the items that a control of the side panel unfolds.
-    void choose(const char* combo, const char* item);
+    // These work on controls that are in sight.
+    void activate(const Control& control);
+    void enter(const Control& field, const std::string& text);
+    void choose(const Control& combo, const std::string& item);
+
+    // Opens this section of the side panel and closes the others, so that it is in sight.
+    void showOnly(const std::string& section);
+    [[nodiscard]] bool isOpen(const std::string& section) const;
 
     // What is on the screen, row 0 at the bottom.
     [[nodiscard]] gui::Picture screenshot();
+
+    // The camera that the picture is seen from, and where the window shows a place of it, in pixels from its bottom
+    // left.
+    [[nodiscard]] Trackball camera() const;
+    [[nodiscard]] glm::ivec2 toWindow(const glm::vec2& place);
 
 private:
     VirtualScreen m_screen;

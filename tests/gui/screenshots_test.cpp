@@ -1,7 +1,7 @@
+#include "changed_reference.h"
 #include "files/bitmap.h"
 #include "files/picture.h"
 #include "opened_window.h"
-#include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -11,10 +11,9 @@
 // shown now in their place.
 
 namespace fs = std::filesystem;
+using tests::source;
 
 namespace {
-
-const fs::path source { submission::sourceDirectory };
 
 std::vector<std::string> sceneNames()
 {
@@ -29,7 +28,7 @@ std::vector<std::string> sceneNames()
 // The profiler's strip along the bottom tells of times.
 gui::Picture withoutFigures(gui::Picture picture)
 {
-    constexpr int height = 32;
+    const int height = 36 * (picture.size.x / 1280);
     std::fill_n(picture.pixels.begin(), height * picture.size.x, glm::vec3(0.0f));
     return picture;
 }
@@ -114,10 +113,27 @@ TEST_CASE("False colours and their legend look like their kept pictures", "[wind
     const Shown shown
         = GENERATE(values<Shown>({ { "cornell_box", "normal" }, { "monkey", "nodes_visited" }, { "spheres", "t" } }));
     tests::OpenedWindow window { source / "scenes" / (shown.scene + ".toml"), source / "reference" };
-    window.choose("shows", shown.quantity.c_str());
+    window.choose("shows", shown.quantity);
     window.drawUntilTraced();
     window.moveMouse({ 820, 300 });
     compareWithKept(window, shown.scene + "_" + shown.quantity);
+}
+
+TEST_CASE("A level and a leaf of the tree, and handles of lights, look like their kept picture, also on a dense screen",
+    "[window]")
+{
+    const int density = GENERATE(1, 2);
+    tests::OpenedWindow window { source / "scenes" / "cube.toml", tests::reference, density };
+    window.drawUntilTraced();
+    window.showOnly("lights");
+    window.activate("light handles");
+    window.showOnly("tree");
+    window.activate("level");
+    window.activate("leaf");
+    window.enter("##which level", "1");
+    window.drawUntil([&] { return window.application.tree().drawing().shapes.size() > 3; });
+    window.drawFrames(2);
+    compareWithKept(window, density == 1 ? "tree" : "tree_dense");
 }
 
 // Against the same limits, and against the traced picture by what is background in the one and not in the other.

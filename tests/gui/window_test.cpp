@@ -1,8 +1,7 @@
-#include "../files/temporary_folder.h"
+#include "changed_reference.h"
 #include "files/feature_settings.h"
 #include "files/picture.h"
 #include "opened_window.h"
-#include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <glm/gtx/component_wise.hpp>
@@ -10,13 +9,11 @@
 // The real window, on a real screen that nobody sees.
 
 namespace fs = std::filesystem;
+using tests::cornell;
 using tests::OpenedWindow;
+using tests::reference;
 
 namespace {
-
-const fs::path source { submission::sourceDirectory };
-const fs::path reference = source / "reference";
-const fs::path cornell = source / "scenes" / "cornell_box.toml";
 
 const Features& featuresOf(const OpenedWindow& window)
 {
@@ -33,6 +30,7 @@ const CameraConfig& cameraOf(const OpenedWindow& window)
 TEST_CASE("Every switch of a feature can be pressed, and does what its name says", "[window]")
 {
     OpenedWindow window { cornell, reference };
+    window.showOnly("features");
     for (const std::string& name : files::featureNames()) {
         const files::FeatureValue before = files::featureValue(featuresOf(window), name);
         if (!std::holds_alternative<bool>(before))
@@ -64,7 +62,7 @@ TEST_CASE("Lights of the three kinds are added and removed", "[window]")
     CHECK(std::holds_alternative<PointLight>(lights[before]));
     CHECK(std::holds_alternative<SegmentLight>(lights[before + 1]));
     CHECK(std::holds_alternative<ParallelogramLight>(lights[before + 2]));
-    window.activate("remove", static_cast<int>(before) + 1);
+    window.activate({ { static_cast<int>(before) + 1, "remove" } });
     REQUIRE(lights.size() == before + 2);
     CHECK(std::holds_alternative<ParallelogramLight>(lights[before + 1]));
     window.drawUntilTraced();
@@ -108,7 +106,7 @@ TEST_CASE("Each quantity can be chosen by its name, by F, and colours come back 
     std::vector<std::vector<glm::vec3>> chosen;
     for (const debug::Quantity quantity : debug::allQuantities()) {
         INFO(debug::nameOf(quantity));
-        window.choose("shows", debug::nameOf(quantity).c_str());
+        window.choose("shows", debug::nameOf(quantity));
         window.drawUntilTraced();
         CHECK(window.application.picture().quantity == quantity);
         CHECK(std::ranges::count(chosen, window.application.picture().pixels) == 0);
@@ -139,12 +137,10 @@ TEST_CASE("A submission that fails is reported, and replaced by a good one while
           "const HitInfo&) { for (volatile bool forever = true; forever;) { } return {}; }\n",
             "no answer in time" },
     }));
-    const files_test::TemporaryFolder folder;
-    fs::copy(reference, folder / "", fs::copy_options::recursive);
-    const fs::path light = folder.write("light.cpp", failure.text);
-    OpenedWindow window { cornell, folder / "" };
+    const tests::ChangedReference folder { "light.cpp", failure.text };
+    OpenedWindow window { cornell, folder.path() };
     window.drawUntil([&] { return window.application.message().find(failure.message) != std::string::npos; });
-    fs::copy_file(reference / "light.cpp", light, fs::copy_options::overwrite_existing);
+    folder.repair();
     window.drawUntil([&] { return window.application.isPictureDone() && window.application.message().empty(); });
 }
 
