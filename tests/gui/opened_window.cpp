@@ -56,7 +56,7 @@ static void send(const std::string& input)
 
 void OpenedWindow::moveMouse(glm::ivec2 position)
 {
-    send(fmt::format("mousemove --sync {} {}", position.x, position.y));
+    send(fmt::format("mousemove {} {}", position.x, position.y));
     drawUntil([&] {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         return glm::ivec2(mouse.x, mouse.y) == position;
