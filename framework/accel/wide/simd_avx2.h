@@ -1,0 +1,25 @@
+#pragma once
+#include "accel/wide/node.h"
+#include <immintrin.h>
+
+namespace accel::wide {
+
+// Eight floats in one register. min and max return the second operand if one is NaN.
+struct Avx2 {
+    using Floats = __m256; // the compiler knows + - * /
+
+    static Floats load(const float* p) { return _mm256_load_ps(p); }
+    static void store(float* p, Floats a) { _mm256_store_ps(p, a); }
+    static Floats broadcast(float a) { return _mm256_set1_ps(a); }
+    static Floats min(Floats a, Floats b) { return _mm256_min_ps(a, b); }
+    static Floats max(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+
+    // A bit for each place, the first the lowest.
+    static unsigned lessEqual(Floats a, Floats b) { return bits(_mm256_cmp_ps(a, b, _CMP_LE_OQ)); }
+    static unsigned equal(Floats a, Floats b) { return bits(_mm256_cmp_ps(a, b, _CMP_EQ_OQ)); }
+
+private:
+    static unsigned bits(Floats mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask)); }
+};
+
+}

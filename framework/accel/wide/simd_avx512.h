@@ -1,0 +1,20 @@
+#pragma once
+#include "accel/wide/node.h"
+#include <immintrin.h>
+
+namespace accel::wide {
+
+// Eight floats in half a register: nodes and blocks have no more.
+struct Avx512 {
+    using Floats = __m256; // the compiler knows + - * /
+
+    static Floats load(const float* p) { return _mm256_load_ps(p); }
+    static void store(float* p, Floats a) { _mm256_store_ps(p, a); }
+    static Floats broadcast(float a) { return _mm256_set1_ps(a); }
+    static Floats min(Floats a, Floats b) { return _mm256_min_ps(a, b); }
+    static Floats max(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+    static unsigned lessEqual(Floats a, Floats b) { return _mm256_cmp_ps_mask(a, b, _CMP_LE_OQ); }
+    static unsigned equal(Floats a, Floats b) { return _mm256_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
+};
+
+}

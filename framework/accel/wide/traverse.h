@@ -1,0 +1,177 @@
+#pragma once
+#include "accel/wide/box_ray.h"
+#include "accel/wide/kernels.h"
+#include "accel/wide/triangle_ray.h"
+
+namespace accel::wide {
+
+struct NotCounted {
+    static void node() { }
+    static void block() { }
+};
+
+struct Counted {
+    void node() const { ++counters.nodes; }
+    void block() const { ++counters.blocks; }
+    Counters& counters;
+};
+
+// The traversal for one instruction set. Everything here is a member of a template of it: were a function shared, the
+// linker could pick the copy that the processor cannot run. For the same reason there is nothing of the standard
+// library.
+template <typename Simd> class Traversal {
+    using Floats = typename Simd::Floats;
+
+public:
+    static constexpr Kernel kernel(const char* name) { return { name, closest, closestCounted, occluded }; }
+
+private:
+    static bool closest(const View& tree, const Ray& ray, Hit& hit)
+    {
+        return findClosest(tree, ray, hit, NotCounted {});
+    }
+
+    static bool closestCounted(const View& tree, const Ray& ray, Hit& hit, Counters& counters)
+    {
+        return findClosest(tree, ray, hit, Counted { counters });
+    }
+
+    template <typename Count>
+    [[gnu::always_inline]] static bool findClosest(const View& tree, const Ray& ray, Hit& hit, Count count)
+    {
+        const TriangleRay<Simd> triangleRay(ray);
+        Closest<Simd> closest(ray);
+        if (tree.numNodes == 0) {
+            for (uint32_t i = 0; i < tree.numBlocks; ++i) {
+                count.block();
+                triangleRay.findCloser(tree.blocks[i], closest);
+            }
+        } else {
+            descend(tree, BoxRay<Simd>(tree, ray), triangleRay, closest, count);
+        }
+        if (closest.hit.primitive == closest.none)
+            return false;
+        hit = closest.hit;
+        return true;
+    }
+
+    // A child that waits: its distance above, so that the nearer of two is the smaller.
+    using Visit = uint64_t;
+    static Visit visit(Child child, uint32_t distance) { return uint64_t { distance } << 32 | child; }
+    static Child childOf(Visit visit) { return static_cast<Child>(visit); }
+
+    static uint32_t bitsOf(float distance)
+    {
+        uint32_t bits;
+        __builtin_memcpy(&bits, &distance, sizeof bits);
+        return bits;
+    }
+
+    static void order(Visit& a, Visit& b)
+    {
+        if (b < a) {
+            const Visit c = a;
+            a = b;
+            b = c;
+        }
+    }
+
+    template <typename Count>
+    [[gnu::always_inline]] static void descend(const View& tree, const BoxRay<Simd>& boxRay,
+        const TriangleRay<Simd>& triangleRay, Closest<Simd>& closest, Count count)
+    {
+        Visit stack[maxDepth * (width - 1)];
+        Visit* top = stack;
+        Child current = 0;
+        for (;;) {
+            if (current & blockBit) {
+                count.block();
+                triangleRay.findCloser(tree.blocks[current & ~blockBit], closest);
+            } else {
+                count.node();
+                const Node& node = tree.nodes[current];
+                Floats entry;
+                unsigned mask = boxRay.meets(node, closest.limit, entry);
+                if (mask != 0) {
+                    alignas(32) float entries[width];
+                    Simd::store(entries, entry);
+                    const auto next = [&] {
+                        const int i = __builtin_ctz(mask);
+                        mask &= mask - 1;
+                        return visit(node.children[i], bitsOf(entries[i]));
+                    };
+                    Visit a = next();
+                    if (mask == 0) {
+                        current = childOf(a);
+                        continue;
+                    }
+                    Visit b = next();
+                    order(a, b);
+                    if (mask == 0) {
+                        *top++ = b;
+                        current = childOf(a);
+                        continue;
+                    }
+                    Visit c = next();
+                    order(b, c);
+                    order(a, b);
+                    if (mask == 0) {
+                        *top++ = c;
+                        *top++ = b;
+                        current = childOf(a);
+                        continue;
+                    }
+                    *top++ = c;
+                    *top++ = b;
+                    while (mask != 0) {
+                        Visit d = next();
+                        order(a, d);
+                        Visit* place = top++;
+                        for (; place > stack && place[-1] < d && place > top - 8; --place)
+                            *place = place[-1];
+                        *place = d;
+                    }
+                    current = childOf(a);
+                    continue;
+                }
+            }
+            const uint32_t limit = bitsOf(closest.hit.t);
+            do {
+                if (top == stack)
+                    return;
+                current = childOf(*--top);
+            } while (*top >> 32 > limit);
+        }
+    }
+
+    static bool occluded(const View& tree, const Ray& ray)
+    {
+        const TriangleRay<Simd> triangleRay(ray);
+        const Floats limit = Simd::broadcast(ray.t);
+        if (tree.numNodes == 0) {
+            for (uint32_t i = 0; i < tree.numBlocks; ++i)
+                if (triangleRay.meets(tree.blocks[i], limit))
+                    return true;
+            return false;
+        }
+        const BoxRay<Simd> boxRay(tree, ray);
+        Child stack[maxDepth * (width - 1)];
+        Child* top = stack;
+        *top++ = 0;
+        do {
+            const Child current = *--top;
+            if (current & blockBit) {
+                if (triangleRay.meets(tree.blocks[current & ~blockBit], limit))
+                    return true;
+                continue;
+            }
+            const Node& node = tree.nodes[current];
+            Floats entry;
+            for (unsigned mask = boxRay.meets(node, limit, entry); mask != 0; mask &= mask - 1)
+                *top++ = node.children[__builtin_ctz(mask)];
+        } while (top != stack);
+        return false;
+    }
+};
+
+}

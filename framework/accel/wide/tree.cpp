@@ -1,0 +1,35 @@
+#include "accel/wide/tree.h"
+#include "accel/wide/collapse.h"
+
+namespace accel {
+
+WideTree::WideTree(std::span<const Triangle> triangles)
+{
+    if (!triangles.empty()) {
+        const wide::BinaryTree binary = wide::buildBinaryTree(triangles);
+        wide::WideNodes wide = wide::collapse(binary, triangles);
+        m_nodes = std::move(wide.nodes);
+        m_blocks = std::move(wide.blocks);
+        for (int i = 0; i < 3; ++i) {
+            m_view.lower[i] = binary.nodes[0].box.lower[i];
+            m_view.upper[i] = binary.nodes[0].box.upper[i];
+        }
+    }
+    m_view.nodes = m_nodes.data();
+    m_view.blocks = m_blocks.data();
+    m_view.numNodes = static_cast<uint32_t>(m_nodes.size());
+    m_view.numBlocks = static_cast<uint32_t>(m_blocks.size());
+}
+
+std::optional<WideTree::Hit> WideTree::closest(const Ray& ray, wide::Counters& counters) const
+{
+    Hit hit;
+    return m_kernel.closestCounted(m_view, ray, hit, counters) ? std::optional(hit) : std::nullopt;
+}
+
+std::size_t WideTree::numBytes() const
+{
+    return m_nodes.size() * sizeof(wide::Node) + m_blocks.size() * sizeof(wide::Block);
+}
+
+}

@@ -1,0 +1,184 @@
+#pragma once
+#include "accel/wide/node.h"
+#include <framework/ray.h>
+
+namespace accel::wide {
+
+// What a ray knows of the closest hit so far; of one still to be found: the end of the ray, no primitive.
+template <typename Simd> struct Closest {
+    explicit Closest(const Ray& ray)
+        : limit(Simd::broadcast(ray.t))
+        , hit { ray.t, none, 0.0f, 0.0f }
+    {
+    }
+
+    static constexpr uint32_t none = ~uint32_t { 0 };
+    typename Simd::Floats limit; // hit.t
+    Hit hit;
+};
+
+// A ray as the triangle test wants it: turned and sheared so that it is the z axis. Woop, Benthin, Wald 2013,
+// "Watertight Ray/Triangle Intersection".
+template <typename Simd> class TriangleRay {
+    using Floats = typename Simd::Floats;
+
+public:
+    explicit TriangleRay(const Ray& ray)
+    {
+        const float d[3] = { ray.direction.x, ray.direction.y, ray.direction.z };
+        const float origin[3] = { ray.origin.x, ray.origin.y, ray.origin.z };
+        const float x = __builtin_fabsf(d[0]), y = __builtin_fabsf(d[1]), z = __builtin_fabsf(d[2]);
+        const unsigned zLargest = (z > x) & (z > y), yLargest = (y > x) & ~zLargest & 1; // no jumps
+        const unsigned axisZ = 2 * zLargest | yLargest;
+        const unsigned axisX = (9 >> 2 * axisZ) & 3, axisY = (18 >> 2 * axisZ) & 3; // the next two: 1 2 0, 2 0 1
+        const unsigned axes[3] = { axisX, axisY, axisZ };
+        for (int i = 0; i < 3; ++i) {
+            m_rows[i] = axes[i] * 3 * width;
+            m_origin[i] = Simd::broadcast(origin[axes[i]]);
+            m_direction[i] = Simd::broadcast(d[axes[i]]);
+        }
+        const float scale = 1.0f / d[axisZ];
+        m_shearX = Simd::broadcast(d[axisX] * scale);
+        m_shearY = Simd::broadcast(d[axisY] * scale);
+        m_scale = Simd::broadcast(scale);
+    }
+
+    // Whether a triangle of the block is met within the limit.
+    [[nodiscard]] bool meets(const Block& block, Floats limit) const
+    {
+        const Sheared s = shear(block);
+        unsigned mask = s.candidates();
+        if (mask == 0)
+            return false;
+        const Floats t = distances(block, s);
+        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, limit);
+        if (mask == 0)
+            return false;
+        return (mask & ~s.undecided()) != 0 || decide(s, mask) != 0;
+    }
+
+    // Replaces the closest hit by one that is closer.
+    void findCloser(const Block& block, Closest<Simd>& closest) const
+    {
+        const Sheared s = shear(block);
+        unsigned mask = s.candidates();
+        if (mask == 0)
+            return;
+        const Floats t = distances(block, s);
+        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, closest.limit);
+        if (mask == 0)
+            return;
+        if ((mask & s.undecided()) != 0)
+            mask = decide(s, mask);
+        alignas(32) float ts[width], us[width], vs[width];
+        const Floats sum = s.weights[0] + s.weights[1] + s.weights[2];
+        Simd::store(ts, t);
+        Simd::store(us, s.weights[1] / sum);
+        Simd::store(vs, s.weights[2] / sum);
+        for (; mask != 0; mask &= mask - 1) {
+            const int i = __builtin_ctz(mask);
+            const bool isCloser
+                = ts[i] < closest.hit.t || (ts[i] == closest.hit.t && block.primitives[i] < closest.hit.primitive);
+            if (isCloser)
+                closest.hit = { ts[i], block.primitives[i], us[i], vs[i] };
+        }
+        closest.limit = Simd::broadcast(closest.hit.t);
+    }
+
+private:
+    // The corners seen along the ray. An edge function is negative, positive or zero for all triangles that share the
+    // edge, but for its sign, if the products are rounded before they are subtracted: no fused multiply-add here.
+    struct Sheared {
+        Floats x[3], y[3], z[3]; // of the corners
+        Floats weights[3]; // of the corners, unnormalised
+        Floats least, most; // of the weights
+
+        [[nodiscard]] unsigned candidates() const
+        {
+            const Floats zero = Simd::broadcast(0.0f);
+            return Simd::lessEqual(zero, least) | Simd::lessEqual(most, zero);
+        }
+
+        // Zero may stand for a number too small to be seen after rounding.
+        [[nodiscard]] unsigned undecided() const
+        {
+            const Floats zero = Simd::broadcast(0.0f);
+            return Simd::equal(zero, least) | Simd::equal(most, zero);
+        }
+    };
+
+    [[nodiscard]] const float* row(const Block& block, int axis) const
+    {
+        return &block.positions[0][0][0] + m_rows[axis];
+    }
+
+    [[nodiscard]] Sheared shear(const Block& block) const
+    {
+        Sheared s;
+        const float *const rowX = row(block, 0), *const rowY = row(block, 1), *const rowZ = row(block, 2);
+        for (int corner = 0; corner < 3; ++corner) {
+            s.z[corner] = Simd::load(rowZ + corner * width) - m_origin[2];
+            s.x[corner] = Simd::load(rowX + corner * width) - m_origin[0] - m_shearX * s.z[corner];
+            s.y[corner] = Simd::load(rowY + corner * width) - m_origin[1] - m_shearY * s.z[corner];
+        }
+        s.weights[0] = s.x[2] * s.y[1] - s.y[2] * s.x[1];
+        s.weights[1] = s.x[0] * s.y[2] - s.y[0] * s.x[2];
+        s.weights[2] = s.x[1] * s.y[0] - s.y[1] * s.x[0];
+        s.least = Simd::min(Simd::min(s.weights[0], s.weights[1]), s.weights[2]);
+        s.most = Simd::max(Simd::max(s.weights[0], s.weights[1]), s.weights[2]);
+        return s;
+    }
+
+    // From the plane's equation: a weighted sum of the corners loses digits on huge triangles. Within what the corners
+    // allow: seen edge-on, the equation loses them all. Not a number gives way to that, as a first operand.
+    [[nodiscard]] Floats distances(const Block& block, const Sheared& s) const
+    {
+        Floats a[3], edge1[3], edge2[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const float* const corners = row(block, axis);
+            const Floats corner = Simd::load(corners);
+            a[axis] = corner - m_origin[axis];
+            edge1[axis] = Simd::load(corners + width) - corner;
+            edge2[axis] = Simd::load(corners + 2 * width) - corner;
+        }
+        Floats height = Simd::broadcast(0.0f), slope = height;
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            const Floats normal = edge1[j] * edge2[k] - edge1[k] * edge2[j];
+            height = height + normal * a[i];
+            slope = slope + normal * m_direction[i];
+        }
+        const Floats first = s.z[0] * m_scale, second = s.z[1] * m_scale, third = s.z[2] * m_scale;
+        const Floats nearest = Simd::min(Simd::min(first, second), third);
+        const Floats farthest = Simd::max(Simd::max(first, second), third);
+        return Simd::min(Simd::max(height / slope, nearest), farthest);
+    }
+
+    // Leaves the triangles whose weights have one sign in exact arithmetic: products of floats fit into a double.
+    [[gnu::noinline]] static unsigned decide(const Sheared& s, unsigned mask)
+    {
+        alignas(32) float x[3][width], y[3][width];
+        for (int corner = 0; corner < 3; ++corner) {
+            Simd::store(x[corner], s.x[corner]);
+            Simd::store(y[corner], s.y[corner]);
+        }
+        unsigned decided = 0;
+        for (; mask != 0; mask &= mask - 1) {
+            const int i = __builtin_ctz(mask);
+            const double u = weight(x[2][i], y[2][i], x[1][i], y[1][i]);
+            const double v = weight(x[0][i], y[0][i], x[2][i], y[2][i]);
+            const double w = weight(x[1][i], y[1][i], x[0][i], y[0][i]);
+            const bool anyNegative = u < 0.0 || v < 0.0 || w<0.0, anyPositive = u> 0.0 || v > 0.0 || w > 0.0;
+            if (anyNegative != anyPositive)
+                decided |= 1u << i;
+        }
+        return decided;
+    }
+
+    static double weight(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
+
+    unsigned m_rows[3]; // where the block has the axis that becomes x, y, z
+    Floats m_origin[3], m_direction[3], m_shearX, m_shearY, m_scale;
+};
+
+}

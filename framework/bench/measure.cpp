@@ -1,0 +1,64 @@
+#include "bench/measure.h"
+#include "bench/clock.h"
+
+namespace bench {
+namespace {
+
+    constexpr std::size_t chunkSize = 4096;
+
+    double trace(Rival& rival, Question question)
+    {
+        return question == Question::Closest ? secondsOf([&] { rival.traceClosest(); })
+                                             : secondsOf([&] { rival.traceOccluded(); });
+    }
+
+    // Distances may differ by what rounding does to them.
+    bool isSame(float a, float b)
+    {
+        return a == b || std::abs(a - b) <= 1e-4f * std::max(std::abs(a), std::abs(b));
+    }
+
+    std::size_t countDisagreeing(const Rival& a, const Rival& b, Question question, std::size_t numRays)
+    {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < numRays; ++i)
+            count += question == Question::Closest ? !isSame(a.distance(i), b.distance(i))
+                                                   : a.isOccluded(i) != b.isOccluded(i);
+        return count;
+    }
+
+    // All rivals and repetitions for one chunk.
+    void measureChunk(std::span<const Ray> rays, Question question, const Rivals& rivals, std::vector<Time>& times)
+    {
+        const std::size_t numRepetitions = times.front().repetitions.size();
+        std::vector<double> shortest(rivals.size(), std::numeric_limits<double>::infinity());
+        for (std::size_t repetition = 0; repetition < numRepetitions; ++repetition) {
+            for (std::size_t turn = 0; turn < rivals.size(); ++turn) {
+                const std::size_t i = (turn + repetition) % rivals.size();
+                rivals[i]->load(rays);
+                const double seconds = trace(*rivals[i], question);
+                times[i].repetitions[repetition] += seconds;
+                shortest[i] = std::min(shortest[i], seconds);
+            }
+        }
+        for (std::size_t i = 0; i < rivals.size(); ++i) {
+            times[i].seconds += shortest[i];
+            times[i].numDisagreeing += countDisagreeing(*rivals[0], *rivals[i], question, rays.size());
+        }
+    }
+
+}
+
+std::vector<Time> measure(const RaySet& set, const Rivals& rivals, int numRepetitions)
+{
+    std::vector<Time> times(rivals.size());
+    for (Time& time : times)
+        time.repetitions.resize(static_cast<std::size_t>(numRepetitions));
+    for (std::size_t first = 0; first < set.rays.size(); first += chunkSize) {
+        const std::size_t count = std::min(chunkSize, set.rays.size() - first);
+        measureChunk(std::span(set.rays).subspan(first, count), set.question, rivals, times);
+    }
+    return times;
+}
+
+}
