@@ -4,7 +4,7 @@
 namespace bench {
 namespace {
 
-    constexpr std::size_t chunkSize = 4096;
+    constexpr std::size_t chunkSize = 4096, warmUpSize = 1024;
 
     double trace(Rival& rival, Question question)
     {
@@ -27,15 +27,22 @@ namespace {
         return count;
     }
 
-    // All rivals and repetitions for one chunk.
-    void measureChunk(std::span<const Ray> rays, Question question, const Rivals& rivals, std::vector<Time>& times)
+    struct Chunk {
+        std::span<const Ray> warmUp, rays;
+    };
+
+    // All rivals and repetitions for one chunk. Who comes next finds the caches full of another's tree: a few other
+    // rays fetch its own.
+    void measureChunk(const Chunk& chunk, Question question, const Rivals& rivals, std::vector<Time>& times)
     {
         const std::size_t numRepetitions = times.front().repetitions.size();
         std::vector<double> shortest(rivals.size(), std::numeric_limits<double>::infinity());
         for (std::size_t repetition = 0; repetition < numRepetitions; ++repetition) {
             for (std::size_t turn = 0; turn < rivals.size(); ++turn) {
                 const std::size_t i = (turn + repetition) % rivals.size();
-                rivals[i]->load(rays);
+                rivals[i]->load(chunk.warmUp);
+                trace(*rivals[i], question);
+                rivals[i]->load(chunk.rays);
                 const double seconds = trace(*rivals[i], question);
                 times[i].repetitions[repetition] += seconds;
                 shortest[i] = std::min(shortest[i], seconds);
@@ -43,7 +50,7 @@ namespace {
         }
         for (std::size_t i = 0; i < rivals.size(); ++i) {
             times[i].seconds += shortest[i];
-            times[i].numDisagreeing += countDisagreeing(*rivals[0], *rivals[i], question, rays.size());
+            times[i].numDisagreeing += countDisagreeing(*rivals[0], *rivals[i], question, chunk.rays.size());
         }
     }
 
@@ -54,9 +61,12 @@ std::vector<Time> measure(const RaySet& set, const Rivals& rivals, int numRepeti
     std::vector<Time> times(rivals.size());
     for (Time& time : times)
         time.repetitions.resize(static_cast<std::size_t>(numRepetitions));
-    for (std::size_t first = 0; first < set.rays.size(); first += chunkSize) {
-        const std::size_t count = std::min(chunkSize, set.rays.size() - first);
-        measureChunk(std::span(set.rays).subspan(first, count), set.question, rivals, times);
+    const std::span rays = set.rays;
+    for (std::size_t first = 0; first < rays.size(); first += chunkSize) {
+        const std::size_t count = std::min(chunkSize, rays.size() - first);
+        const auto warmUp = first >= warmUpSize ? rays.subspan(first - warmUpSize, warmUpSize)
+                                                : rays.last(std::min(warmUpSize, rays.size()));
+        measureChunk({ warmUp, rays.subspan(first, count) }, set.question, rivals, times);
     }
     return times;
 }

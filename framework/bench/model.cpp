@@ -1,4 +1,5 @@
 #include "bench/model.h"
+#include "accel/wide/tree.h"
 #include "files/scene_file.h"
 #include "sampler.h"
 #include "shapes/shapes.h"
@@ -38,6 +39,38 @@ namespace {
                     { area->v0, area->v0 + area->edge01, area->v0 + area->edge02,
                         area->v0 + area->edge01 + area->edge02 });
         }
+    }
+
+    struct Extent {
+        glm::vec3 middle, size;
+    };
+
+    Extent extentOf(std::span<const Triangle> triangles)
+    {
+        glm::vec3 lower(INFINITY), upper(-INFINITY);
+        for (const Triangle& triangle : triangles) {
+            for (const glm::vec3& corner : triangle) {
+                lower = glm::min(lower, corner);
+                upper = glm::max(upper, corner);
+            }
+        }
+        return { 0.5f * (lower + upper), upper - lower };
+    }
+
+    // Of the camera's rays, how many meet the side that counts its corners counter-clockwise.
+    float shareOfFronts(std::span<const Triangle> triangles, const Trackball& camera)
+    {
+        constexpr int side = 64;
+        const accel::WideTree tree(triangles);
+        int count = 0;
+        for (int i = 0; i < side * side; ++i) {
+            const Ray ray = camera.generateRay(2.0f * (glm::vec2(i % side, i / side) + 0.5f) / float(side) - 1.0f);
+            if (const auto hit = tree.closest(ray)) {
+                const auto& [a, b, c] = triangles[hit->primitive];
+                count += glm::dot(glm::cross(b - a, c - a), ray.direction) < 0.0f;
+            }
+        }
+        return static_cast<float>(count) / static_cast<float>(side * side);
     }
 
     Model makeBowl()
@@ -98,18 +131,17 @@ Model loadMesh(const std::filesystem::path& path)
     Model model { .name = path.stem().string() };
     for (const Mesh& mesh : file.scene.meshes)
         addMesh(model, mesh);
-    glm::vec3 lower(INFINITY), upper(-INFINITY);
-    for (const Triangle& triangle : model.triangles) {
-        for (const glm::vec3& corner : triangle) {
-            lower = glm::min(lower, corner);
-            upper = glm::max(upper, corner);
-        }
+    const auto [middle, size] = extentOf(model.triangles);
+    const float alongFloor = size.x > size.z ? 90.0f : 0.0f;
+    const Trackball outside = cameraAt(middle, { 20.0f, 20.0f, 0.0f }, 1.25f * std::max({ size.x, size.y, size.z }));
+    const Trackball inside = cameraAt(middle, { 5.0f, alongFloor, 0.0f }, 0.01f);
+    if (shareOfFronts(model.triangles, outside) >= shareOfFronts(model.triangles, inside)) {
+        model.cameras = { outside };
+        model.lights = { { 1.5f, 2.5f, -2.5f }, { -3.0f, 1.0f, -1.0f } };
+    } else {
+        model.cameras = { inside };
+        model.lights = { middle + 0.3f * size, middle - 0.2f * size, middle };
     }
-    const glm::vec3 middle = 0.5f * (lower + upper), size = upper - lower;
-    const float alongX = size.x > size.z ? 90.0f : 0.0f;
-    model.cameras = { cameraAt({ 0.0f, 0.0f, 0.0f }, { 20.0f, 20.0f, 0.0f }, 2.4f),
-        cameraAt(middle, { 5.0f, alongX, 0.0f }, 0.01f) };
-    model.lights = { middle + 0.3f * size, { 2.0f, 3.0f, -2.0f }, { -3.0f, 1.0f, 1.0f } };
     return model;
 }
 

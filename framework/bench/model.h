@@ -18,7 +18,8 @@ struct Model {
     std::vector<glm::vec3> lights;
 };
 
-// An OBJ file, seen from outside and from its middle, in the unit ball. Throws files::Error.
+// An OBJ file in the unit ball. It is seen from outside, or from its middle if more front sides show there, as in a
+// building; the lights stand on the camera's side of it. Throws files::Error.
 [[nodiscard]] Model loadMesh(const std::filesystem::path& path);
 
 // A scene of the folder scenes by its name, or one that is made here: "bowl", a teapot in a bowl two kilometres wide,

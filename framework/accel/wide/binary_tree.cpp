@@ -13,7 +13,8 @@ namespace {
     constexpr uint32_t medianDepth = maxDepth / 2; // from here halves: 2^32 triangles fit into the levels that are left
     constexpr uint32_t parallelSize = 2048; // references that are worth a task of their own
     constexpr float roomForCuts = 0.25f; // references more than triangles, at most
-    constexpr float worthwhileOverlap = 1e-5f; // of the root's surface: Stich's alpha
+    // How much of the root's and of the node's surface must lie in both halves before it pays to look for a cut.
+    constexpr float overlapOfRoot = 1e-5f, overlapOfNode = 0.1f;
 
     // A place in the array of references: some in use, then room for parts of those that are cut.
     struct Range {
@@ -91,10 +92,11 @@ namespace {
         [[nodiscard]] SpatialSplit findSpatial(const Subtree& subtree, const ObjectSplit& objects) const
         {
             const uint32_t room = subtree.range.capacity - subtree.range.count;
-            if (room == 0 || objects.axis < 0)
+            if (room == 0 || objects.axis < 0 || subtree.range.count <= width) // these fit into one block
                 return {};
             const Box overlap = intersect(objects.lower, objects.upper);
-            if (overlap.isEmpty() || overlap.halfArea() < worthwhileOverlap * m_rootArea)
+            const float least = std::max(overlapOfRoot * m_rootArea, overlapOfNode * subtree.box.halfArea());
+            if (overlap.isEmpty() || overlap.halfArea() < least)
                 return {};
             return findSpatialSplit(in(subtree.range), subtree.box, m_triangles, room);
         }

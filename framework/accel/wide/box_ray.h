@@ -4,42 +4,41 @@
 
 namespace accel::wide {
 
-// A ray as the box test wants it, with all that may be lost to rounding given to the boxes.
+// A ray as the box test wants it. All that rounding may take away, here and in the triangle test, is given to the boxes
+// beforehand: they count as larger by a margin.
 template <typename Simd> class BoxRay {
     using Floats = typename Simd::Floats;
 
 public:
     BoxRay(const View& tree, const Ray& ray)
     {
-        const float origin[3] = { ray.origin.x, ray.origin.y, ray.origin.z };
-        const float direction[3] = { ray.direction.x, ray.direction.y, ray.direction.z };
-        float reach = 0.0f; // to the farthest corner of all, along an axis
-        for (int i = 0; i < 3; ++i)
-            reach = max(reach, max(origin[i] - tree.lower[i], tree.upper[i] - origin[i]));
+        const Float4 origin = load(&ray.origin.x), direction = load(&ray.direction.x);
+        const Float4 reach = magnitude(origin - load(tree.middle)) + load(tree.halfSize); // to the farthest corner
+        const Float4 margin = largest(reach) * marginOfReach + magnitude(origin) * marginOfOrigin;
+        const Float4 towards = withSign(margin, direction);
+
+        // Never zero, so that no distance is infinity minus infinity: so small a slope stays within the margin.
+        const Float4 size = magnitude(direction), least = Float4 {} + leastSlope;
+        const Float4 inverse = 1.0f / withSign(size > least ? size : least, direction);
+        const Float4 nearOffset = (origin + towards) * inverse, farOffset = (origin - towards) * inverse;
+        const unsigned negative = Simd::signs(direction);
         for (int i = 0; i < 3; ++i) {
-            const float margin = reach * triangleRounding + __builtin_fabsf(origin[i]) * epsilon;
-            const float towards = __builtin_copysignf(margin, direction[i]);
-            const float inverse = 1.0f / direction[i];
-            const unsigned isNegative = __builtin_signbitf(direction[i]) != 0;
-            m_nearRow[i] = (2 * static_cast<unsigned>(i) + isNegative) * width;
-            m_farRow[i] = (2 * static_cast<unsigned>(i) + 1 - isNegative) * width;
-            m_nearOrigin[i] = Simd::broadcast(origin[i] + towards);
-            m_farOrigin[i] = Simd::broadcast(origin[i] - towards);
-            m_nearInverse[i] = Simd::broadcast(inverse);
-            m_farInverse[i] = Simd::broadcast(inverse * slabRounding);
+            m_inverse[i] = Simd::broadcast(inverse[i]);
+            m_nearOffset[i] = Simd::broadcast(nearOffset[i]);
+            m_farOffset[i] = Simd::broadcast(farOffset[i]);
+            m_nearRow[i] = (2 * static_cast<unsigned>(i) + ((negative >> i) & 1)) * rowSize;
+            m_farRow[i] = m_nearRow[i] ^ rowSize;
         }
     }
 
-    // Which of the node's boxes the ray meets within the limit; entry becomes where. Kay and Kajiya 1986. An origin on
-    // a face and a direction along it give NaN, which loses as a first operand; as a second one, it lets go of one
-    // axis: a box then may be met that is not, never the other way round.
+    // Which of the node's boxes the ray meets within the limit; entry becomes where. Kay and Kajiya 1986.
     [[nodiscard]] unsigned meets(const Node& node, Floats limit, Floats& entry) const
     {
-        const float* const rows = &node.bounds[0][0][0];
+        const char* const rows = reinterpret_cast<const char*>(node.bounds);
         Floats in[3], out[3];
         for (int i = 0; i < 3; ++i) {
-            in[i] = (Simd::load(rows + m_nearRow[i]) - m_nearOrigin[i]) * m_nearInverse[i];
-            out[i] = (Simd::load(rows + m_farRow[i]) - m_farOrigin[i]) * m_farInverse[i];
+            in[i] = Simd::multiplySubtract(row(rows, m_nearRow[i]), m_inverse[i], m_nearOffset[i]);
+            out[i] = Simd::multiplySubtract(row(rows, m_farRow[i]), m_inverse[i], m_farOffset[i]);
         }
         entry = Simd::max(Simd::max(in[0], in[1]), Simd::max(in[2], Simd::broadcast(0.0f)));
         const Floats exit = Simd::min(Simd::min(out[0], out[1]), Simd::min(out[2], limit));
@@ -47,17 +46,42 @@ public:
     }
 
 private:
-    static constexpr float epsilon = 0x1p-23f;
-    // The rounding of a slab's distances, Ize 2013, "Robust BVH Ray Traversal", and of this factor itself.
-    static constexpr float slabRounding = 1.0f + 4.0f * epsilon;
-    // How far the triangle test may move a corner: five roundings of what it is away along two axes. A ray that it
-    // finds on a triangle passes through its box if that is so much larger. Woop, Benthin, Wald 2013, section 4.
-    static constexpr float triangleRounding = 2.0f * 5.0f * epsilon / 2.0f * 1.2f; // and second order
+    static constexpr uint64_t rowSize = width * sizeof(float);
+
+    // With u the largest relative error of one rounding, 2^-24. The triangle test moves corners by up to 5 u of what
+    // they are away along each of two axes (Woop, Benthin, Wald 2013, section 4), and a ray that it finds on a triangle
+    // must pass through its box; a distance to a plane has 3 u of the way, and 4 u of the coordinates.
+    static constexpr float marginOfReach = 16 * 0x1p-24f; // 10 + 3, and the second order
+    static constexpr float marginOfOrigin = 5 * 0x1p-24f;
+    static constexpr float leastSlope = 0x1p-100f;
+
+    // Three coordinates, and a fourth that nobody looks at.
+    using Float4 = float __attribute__((vector_size(16)));
+    using Int4 = int __attribute__((vector_size(16)));
+
+    static Floats row(const char* rows, uint64_t offset)
+    {
+        return Simd::load(reinterpret_cast<const float*>(rows + offset));
+    }
+
+    static Float4 load(const float* p)
+    {
+        Float4 a;
+        __builtin_memcpy(&a, p, sizeof a);
+        a[3] = 1.0f; // whatever was there: numbers too small to be normal take long
+        return a;
+    }
 
     static float max(float a, float b) { return a > b ? a : b; }
+    static float largest(Float4 a) { return max(max(a[0], a[1]), a[2]); }
+    static Float4 magnitude(Float4 a) { return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) & 0x7fffffff); }
+    static Float4 withSign(Float4 a, Float4 b)
+    {
+        return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) | (reinterpret_cast<Int4>(b) & ~0x7fffffff));
+    }
 
-    unsigned m_nearRow[3], m_farRow[3];
-    Floats m_nearOrigin[3], m_farOrigin[3], m_nearInverse[3], m_farInverse[3];
+    uint64_t m_nearRow[3], m_farRow[3]; // bytes
+    Floats m_inverse[3], m_nearOffset[3], m_farOffset[3];
 };
 
 }

@@ -67,6 +67,9 @@ namespace {
             addChildren(child(binary, 0), binary.share[0], children);
             addChildren(child(binary, 1), static_cast<std::size_t>(width - binary.share[0]), children);
 
+            std::stable_sort(children.nodes.begin(),
+                children.nodes.begin() + static_cast<std::ptrdiff_t>(children.count),
+                [](const BinaryNode* a, const BinaryNode* b) { return a->box.halfArea() > b->box.halfArea(); });
             Node node = emptyNode();
             for (std::size_t i = 0; i < children.count; ++i) {
                 setBox(node, i, children.nodes[i]->box);

@@ -4,7 +4,7 @@
 namespace accel::wide {
 namespace {
 
-    constexpr float nodeCost = 1.0f;
+    constexpr float nodeCost = 1.5f;
     constexpr float blockCost = 1.0f; // whether full or not: its triangles are tested together
 
     constexpr float infinity = std::numeric_limits<float>::infinity();

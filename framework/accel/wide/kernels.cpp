@@ -16,7 +16,8 @@ namespace {
             && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq")
             && __builtin_cpu_supports("avx512vl"))
             kernels.push_back(&kernel_v4);
-        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2"))
+        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi")
+            && __builtin_cpu_supports("bmi2"))
             kernels.push_back(&kernel_v3);
         kernels.push_back(&kernel_v2);
         return kernels;

@@ -11,6 +11,7 @@ struct Kernel {
     bool (*closest)(const View& tree, const Ray& ray, Hit& hit); // hit is written if there is one
     bool (*closestCounted)(const View& tree, const Ray& ray, Hit& hit, Counters& counters);
     bool (*occluded)(const View& tree, const Ray& ray);
+    bool (*occludedCounted)(const View& tree, const Ray& ray, Counters& counters);
 };
 
 // Those that this processor can run, the fastest first; never empty.

@@ -32,7 +32,7 @@ struct View {
     const Node* nodes; // the root first
     const Block* blocks;
     uint32_t numNodes, numBlocks;
-    float lower[3], upper[3]; // of all triangles
+    alignas(16) float middle[4], halfSize[4]; // of the box around all triangles
 };
 
 struct Hit {

@@ -11,10 +11,25 @@ struct Avx512 {
     static Floats load(const float* p) { return _mm256_load_ps(p); }
     static void store(float* p, Floats a) { _mm256_store_ps(p, a); }
     static Floats broadcast(float a) { return _mm256_set1_ps(a); }
+    static Floats multiplySubtract(Floats a, Floats b, Floats c)
+    {
+        return _mm256_fmsub_ps(a, b, c);
+    } // rounded once or twice
     static Floats min(Floats a, Floats b) { return _mm256_min_ps(a, b); }
     static Floats max(Floats a, Floats b) { return _mm256_max_ps(a, b); }
     static unsigned lessEqual(Floats a, Floats b) { return _mm256_cmp_ps_mask(a, b, _CMP_LE_OQ); }
-    static unsigned equal(Floats a, Floats b) { return _mm256_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
+    // A bit for each of four.
+    static unsigned signs(__m128 a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
+
+    // Writes the children in the mask to where there is room for all.
+    static void pack(unsigned mask, const Child* children, Child* to)
+    {
+        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(children));
+        const __m256i packed = _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), all);
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), packed);
+    }
+
+    static unsigned less(Floats a, Floats b) { return _mm256_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 };
 
 }

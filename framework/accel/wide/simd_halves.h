@@ -29,6 +29,7 @@ struct Halves4 {
         halves[1] = a.high;
     }
     static Floats broadcast(float a) { return { Half {} + a, Half {} + a }; }
+    static Floats multiplySubtract(Floats a, Floats b, Floats c) { return a * b - c; } // rounded once or twice
     static Floats min(Floats a, Floats b)
     {
         return { a.low < b.low ? a.low : b.low, a.high < b.high ? a.high : b.high };
@@ -38,7 +39,17 @@ struct Halves4 {
         return { a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high };
     }
     static unsigned lessEqual(Floats a, Floats b) { return bits(a.low <= b.low) | bits(a.high <= b.high) << 4; }
-    static unsigned equal(Floats a, Floats b) { return bits(a.low == b.low) | bits(a.high == b.high) << 4; }
+    static unsigned less(Floats a, Floats b) { return bits(a.low < b.low) | bits(a.high < b.high) << 4; }
+
+    // A bit for each of four.
+    static unsigned signs(Half a) { return bits(reinterpret_cast<Mask>(a) < 0); }
+
+    // Writes the children in the mask to where there is room for all.
+    static void pack(unsigned mask, const Child* children, Child* to)
+    {
+        for (; mask != 0; mask &= mask - 1)
+            *to++ = children[__builtin_ctz(mask)];
+    }
 
 private:
     using AnyHalf = float __attribute__((vector_size(16), may_alias));

@@ -5,12 +5,19 @@
 namespace accel::wide {
 namespace {
 
-    constexpr std::size_t numBins = 16;
+    constexpr std::size_t maxBins = 16;
+
+    // Few references show few places to cut.
+    std::size_t binsFor(std::size_t numReferences)
+    {
+        return std::min(maxBins, 4 + numReferences / 8);
+    }
 
     class SpatialBins {
     public:
-        SpatialBins(const Box& bounds, int axis)
+        SpatialBins(const Box& bounds, int axis, std::size_t numBins)
             : m_axis(axis)
+            , m_numBins(numBins)
             , m_origin(bounds.lower[axis])
             , m_size((bounds.upper[axis] - bounds.lower[axis]) / static_cast<float>(numBins))
         {
@@ -35,14 +42,14 @@ namespace {
 
         void search(std::size_t numReferences, uint32_t maxCut, SpatialSplit& best) const
         {
-            std::array<Box, numBins> above;
-            above[numBins - 1] = m_boxes[numBins - 1];
-            for (std::size_t i = numBins - 1; i-- > 0;)
+            std::array<Box, maxBins> above;
+            above[m_numBins - 1] = m_boxes[m_numBins - 1];
+            for (std::size_t i = m_numBins - 1; i-- > 0;)
                 above[i] = unite(m_boxes[i], above[i + 1]);
 
             Box box = Box::empty();
             uint32_t numBelow = 0, numAbove = static_cast<uint32_t>(numReferences);
-            for (std::size_t i = 1; i < numBins; ++i) {
+            for (std::size_t i = 1; i < m_numBins; ++i) {
                 box.add(m_boxes[i - 1]);
                 numBelow += m_begin[i - 1];
                 numAbove -= m_end[i - 1];
@@ -58,15 +65,16 @@ namespace {
         [[nodiscard]] std::size_t binOf(float position) const
         {
             const float bin = (position - m_origin) / m_size;
-            return static_cast<std::size_t>(std::clamp(bin, 0.0f, static_cast<float>(numBins - 1)));
+            return static_cast<std::size_t>(std::clamp(bin, 0.0f, static_cast<float>(m_numBins - 1)));
         }
 
         [[nodiscard]] float plane(std::size_t bin) const { return m_origin + static_cast<float>(bin) * m_size; }
 
         int m_axis;
+        std::size_t m_numBins;
         float m_origin, m_size;
-        std::array<Box, numBins> m_boxes;
-        std::array<uint32_t, numBins> m_begin {}, m_end {};
+        std::array<Box, maxBins> m_boxes;
+        std::array<uint32_t, maxBins> m_begin {}, m_end {};
     };
 
 }
@@ -78,7 +86,7 @@ SpatialSplit findSpatialSplit(
     for (int axis = 0; axis < 3; ++axis) {
         if (!(bounds.upper[axis] - bounds.lower[axis] > 1e-30f))
             continue;
-        SpatialBins bins(bounds, axis);
+        SpatialBins bins(bounds, axis, binsFor(references.size()));
         for (const Reference& reference : references)
             bins.add(reference, triangles[reference.primitive()]);
         bins.search(references.size(), maxCut, best);

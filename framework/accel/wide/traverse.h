@@ -23,7 +23,10 @@ template <typename Simd> class Traversal {
     using Floats = typename Simd::Floats;
 
 public:
-    static constexpr Kernel kernel(const char* name) { return { name, closest, closestCounted, occluded }; }
+    static constexpr Kernel kernel(const char* name)
+    {
+        return { name, closest, closestCounted, occluded, occludedCounted };
+    }
 
 private:
     static bool closest(const View& tree, const Ray& ray, Hit& hit)
@@ -93,36 +96,43 @@ private:
                 Floats entry;
                 unsigned mask = boxRay.meets(node, closest.limit, entry);
                 if (mask != 0) {
+                    const int first = __builtin_ctz(mask);
+                    mask &= mask - 1;
+                    if (mask == 0) {
+                        current = node.children[first];
+                        continue;
+                    }
                     alignas(32) float entries[width];
                     Simd::store(entries, entry);
+                    const int second = __builtin_ctz(mask);
+                    mask &= mask - 1;
+                    Visit a = visit(node.children[first], bitsOf(entries[first]));
+                    Visit b = visit(node.children[second], bitsOf(entries[second]));
+                    if (mask == 0) {
+                        if (entries[first] <= entries[second]) {
+                            *top++ = b;
+                            current = node.children[first];
+                        } else {
+                            *top++ = a;
+                            current = node.children[second];
+                        }
+                        continue;
+                    }
                     const auto next = [&] {
                         const int i = __builtin_ctz(mask);
                         mask &= mask - 1;
                         return visit(node.children[i], bitsOf(entries[i]));
                     };
-                    Visit a = next();
-                    if (mask == 0) {
-                        current = childOf(a);
-                        continue;
-                    }
-                    Visit b = next();
-                    order(a, b);
-                    if (mask == 0) {
-                        *top++ = b;
-                        current = childOf(a);
-                        continue;
-                    }
                     Visit c = next();
+                    order(a, b);
                     order(b, c);
                     order(a, b);
+                    *top++ = c;
+                    *top++ = b;
                     if (mask == 0) {
-                        *top++ = c;
-                        *top++ = b;
                         current = childOf(a);
                         continue;
                     }
-                    *top++ = c;
-                    *top++ = b;
                     while (mask != 0) {
                         Visit d = next();
                         order(a, d);
@@ -144,7 +154,14 @@ private:
         }
     }
 
-    static bool occluded(const View& tree, const Ray& ray)
+    static bool occluded(const View& tree, const Ray& ray) { return findAny(tree, ray, NotCounted {}); }
+
+    static bool occludedCounted(const View& tree, const Ray& ray, Counters& counters)
+    {
+        return findAny(tree, ray, Counted { counters });
+    }
+
+    template <typename Count> [[gnu::always_inline]] static bool findAny(const View& tree, const Ray& ray, Count count)
     {
         const TriangleRay<Simd> triangleRay(ray);
         const Floats limit = Simd::broadcast(ray.t);
@@ -155,22 +172,30 @@ private:
             return false;
         }
         const BoxRay<Simd> boxRay(tree, ray);
-        Child stack[maxDepth * (width - 1)];
+        Child stack[maxDepth * (width - 1) + width];
         Child* top = stack;
-        *top++ = 0;
-        do {
-            const Child current = *--top;
+        Child current = 0;
+        for (;;) {
             if (current & blockBit) {
+                count.block();
                 if (triangleRay.meets(tree.blocks[current & ~blockBit], limit))
                     return true;
-                continue;
+            } else {
+                count.node();
+                const Node& node = tree.nodes[current];
+                Floats entry;
+                unsigned mask = boxRay.meets(node, limit, entry);
+                if (mask != 0) {
+                    current = node.children[__builtin_ctz(mask)];
+                    for (mask &= mask - 1; mask != 0; mask &= mask - 1)
+                        *top++ = node.children[__builtin_ctz(mask)];
+                    continue;
+                }
             }
-            const Node& node = tree.nodes[current];
-            Floats entry;
-            for (unsigned mask = boxRay.meets(node, limit, entry); mask != 0; mask &= mask - 1)
-                *top++ = node.children[__builtin_ctz(mask)];
-        } while (top != stack);
-        return false;
+            if (top == stack)
+                return false;
+            current = *--top;
+        }
     }
 };
 

@@ -11,8 +11,9 @@ WideTree::WideTree(std::span<const Triangle> triangles)
         m_nodes = std::move(wide.nodes);
         m_blocks = std::move(wide.blocks);
         for (int i = 0; i < 3; ++i) {
-            m_view.lower[i] = binary.nodes[0].box.lower[i];
-            m_view.upper[i] = binary.nodes[0].box.upper[i];
+            const wide::Box& box = binary.nodes[0].box;
+            m_view.middle[i] = 0.5f * box.lower[i] + 0.5f * box.upper[i];
+            m_view.halfSize[i] = (0.5f * box.upper[i] - 0.5f * box.lower[i]) * (1.0f + 1e-6f); // no less after rounding
         }
     }
     m_view.nodes = m_nodes.data();
@@ -25,6 +26,11 @@ std::optional<WideTree::Hit> WideTree::closest(const Ray& ray, wide::Counters& c
 {
     Hit hit;
     return m_kernel.closestCounted(m_view, ray, hit, counters) ? std::optional(hit) : std::nullopt;
+}
+
+bool WideTree::occluded(const Ray& ray, wide::Counters& counters) const
+{
+    return m_kernel.occludedCounted(m_view, ray, counters);
 }
 
 std::size_t WideTree::numBytes() const

@@ -37,6 +37,7 @@ public:
 
     // Adds what it tests to the counters.
     [[nodiscard]] std::optional<Hit> closest(const Ray& ray, wide::Counters& counters) const;
+    [[nodiscard]] bool occluded(const Ray& ray, wide::Counters& counters) const;
 
     [[nodiscard]] std::size_t numBytes() const;
 

@@ -33,7 +33,7 @@ public:
         const unsigned axisX = (9 >> 2 * axisZ) & 3, axisY = (18 >> 2 * axisZ) & 3; // the next two: 1 2 0, 2 0 1
         const unsigned axes[3] = { axisX, axisY, axisZ };
         for (int i = 0; i < 3; ++i) {
-            m_rows[i] = axes[i] * 3 * width;
+            m_rows[i] = axes[i] * sizeof(Block::positions[0]);
             m_origin[i] = Simd::broadcast(origin[axes[i]]);
             m_direction[i] = Simd::broadcast(d[axes[i]]);
         }
@@ -51,10 +51,8 @@ public:
         if (mask == 0)
             return false;
         const Floats t = distances(block, s);
-        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, limit);
-        if (mask == 0)
-            return false;
-        return (mask & ~s.undecided()) != 0 || decide(s, mask) != 0;
+        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, limit) & s.withArea();
+        return mask != 0;
     }
 
     // Replaces the closest hit by one that is closer.
@@ -65,11 +63,9 @@ public:
         if (mask == 0)
             return;
         const Floats t = distances(block, s);
-        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, closest.limit);
+        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, closest.limit) & s.withArea();
         if (mask == 0)
             return;
-        if ((mask & s.undecided()) != 0)
-            mask = decide(s, mask);
         alignas(32) float ts[width], us[width], vs[width];
         const Floats sum = s.weights[0] + s.weights[1] + s.weights[2];
         Simd::store(ts, t);
@@ -99,17 +95,15 @@ private:
             return Simd::lessEqual(zero, least) | Simd::lessEqual(most, zero);
         }
 
-        // Zero may stand for a number too small to be seen after rounding.
-        [[nodiscard]] unsigned undecided() const
-        {
-            const Floats zero = Simd::broadcast(0.0f);
-            return Simd::equal(zero, least) | Simd::equal(most, zero);
-        }
+        // Not those that are seen edge-on.
+        [[nodiscard]] unsigned withArea() const { return Simd::less(least, most); }
     };
 
     [[nodiscard]] const float* row(const Block& block, int axis) const
     {
-        return &block.positions[0][0][0] + m_rows[axis];
+        const char* row = reinterpret_cast<const char*>(block.positions) + m_rows[axis];
+        asm("" : "+r"(row)); // one register, and corners beside it: the compiler would keep one for each
+        return reinterpret_cast<const float*>(row);
     }
 
     [[nodiscard]] Sheared shear(const Block& block) const
@@ -154,30 +148,7 @@ private:
         return Simd::min(Simd::max(height / slope, nearest), farthest);
     }
 
-    // Leaves the triangles whose weights have one sign in exact arithmetic: products of floats fit into a double.
-    [[gnu::noinline]] static unsigned decide(const Sheared& s, unsigned mask)
-    {
-        alignas(32) float x[3][width], y[3][width];
-        for (int corner = 0; corner < 3; ++corner) {
-            Simd::store(x[corner], s.x[corner]);
-            Simd::store(y[corner], s.y[corner]);
-        }
-        unsigned decided = 0;
-        for (; mask != 0; mask &= mask - 1) {
-            const int i = __builtin_ctz(mask);
-            const double u = weight(x[2][i], y[2][i], x[1][i], y[1][i]);
-            const double v = weight(x[0][i], y[0][i], x[2][i], y[2][i]);
-            const double w = weight(x[1][i], y[1][i], x[0][i], y[0][i]);
-            const bool anyNegative = u < 0.0 || v < 0.0 || w<0.0, anyPositive = u> 0.0 || v > 0.0 || w > 0.0;
-            if (anyNegative != anyPositive)
-                decided |= 1u << i;
-        }
-        return decided;
-    }
-
-    static double weight(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
-
-    unsigned m_rows[3]; // where the block has the axis that becomes x, y, z
+    uint64_t m_rows[3]; // bytes to where the block has the axis that becomes x, y, z
     Floats m_origin[3], m_direction[3], m_shearX, m_shearY, m_scale;
 };
 
