@@ -177,9 +177,9 @@ namespace {
 
     Box boundsOf(const Triangle& triangle)
     {
-        Box box = Box::empty();
-        for (const glm::vec3& corner : triangle)
-            box.add(toFloat4(corner));
+        Box box { toFloat4(triangle[0]), toFloat4(triangle[0]) };
+        box.add(toFloat4(triangle[1]));
+        box.add(toFloat4(triangle[2]));
         return box;
     }
 
@@ -187,16 +187,22 @@ namespace {
 
 BinaryTree buildBinaryTree(std::span<const Triangle> triangles)
 {
-    const auto count = static_cast<uint32_t>(triangles.size());
-    const uint32_t capacity = count + static_cast<uint32_t>(roomForCuts * static_cast<float>(count));
-    BinaryTree tree { std::unique_ptr<BinaryNode[]>(new BinaryNode[2 * capacity - 1]), // untouched: not all are used
+    const auto numTriangles = static_cast<uint32_t>(triangles.size());
+    const uint32_t capacity = numTriangles + static_cast<uint32_t>(roomForCuts * static_cast<float>(numTriangles));
+    BinaryTree tree { std::unique_ptr<BinaryNode[]>(new BinaryNode[2 * capacity]), // untouched: not all are used
         std::unique_ptr<Reference[]>(new Reference[capacity]) };
     Box box = Box::empty();
-    for (uint32_t i = 0; i < count; ++i) {
-        tree.references[i].box = boundsOf(triangles[i]);
-        box.add(tree.references[i].box);
-        tree.references[i].setPrimitive(i);
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < numTriangles; ++i) {
+        const Box bounds = boundsOf(triangles[i]);
+        if (!bounds.isFinite())
+            continue;
+        box.add(bounds);
+        tree.references[count].box = bounds;
+        tree.references[count++].setPrimitive(i);
     }
+    if (count == 0)
+        return {};
     Builder(triangles, tree, box.halfArea()).build({ 0, { 0, count, capacity }, box, 1 });
     return tree;
 }

@@ -22,12 +22,12 @@ struct BinaryNode {
 };
 
 struct BinaryTree {
-    std::unique_ptr<BinaryNode[]> nodes; // the root first; not all are in use
+    std::unique_ptr<BinaryNode[]> nodes; // the root first; not all are in use; none if there is nothing to meet
     std::unique_ptr<Reference[]> references; // likewise
 };
 
 // A tree by the surface area heuristic over triangles, cut in space where that pays. The same for any number of
-// threads. There must be a triangle.
+// threads. Those with a coordinate that is not finite are left out.
 [[nodiscard]] BinaryTree buildBinaryTree(std::span<const Triangle> triangles);
 
 }

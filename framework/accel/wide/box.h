@@ -51,6 +51,12 @@ struct Box {
         return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
     }
 
+    [[nodiscard]] bool isFinite() const
+    {
+        const Float4 size = (lower - lower) + (upper - upper); // not zero, but not a number, for infinity
+        return size[0] == 0.0f && size[1] == 0.0f && size[2] == 0.0f;
+    }
+
     [[nodiscard]] bool isEmpty() const
     {
         return !(lower[0] <= upper[0] && lower[1] <= upper[1] && lower[2] <= upper[2]);

@@ -53,7 +53,7 @@ private:
     // must pass through its box; a distance to a plane has 3 u of the way, and 4 u of the coordinates.
     static constexpr float marginOfReach = 16 * 0x1p-24f; // 10 + 3, and the second order
     static constexpr float marginOfOrigin = 5 * 0x1p-24f;
-    static constexpr float leastSlope = 0x1p-100f;
+    static constexpr float leastSlope = 0x1p-80f;
 
     // Three coordinates, and a fourth that nobody looks at.
     using Float4 = float __attribute__((vector_size(16)));

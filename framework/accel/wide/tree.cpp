@@ -5,8 +5,7 @@ namespace accel {
 
 WideTree::WideTree(std::span<const Triangle> triangles)
 {
-    if (!triangles.empty()) {
-        const wide::BinaryTree binary = wide::buildBinaryTree(triangles);
+    if (const wide::BinaryTree binary = wide::buildBinaryTree(triangles); binary.nodes) {
         wide::WideNodes wide = wide::collapse(binary, triangles);
         m_nodes = std::move(wide.nodes);
         m_blocks = std::move(wide.blocks);

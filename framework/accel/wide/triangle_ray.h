@@ -12,6 +12,12 @@ template <typename Simd> struct Closest {
     {
     }
 
+    void offer(const Hit& other)
+    {
+        if (other.t < hit.t || (other.t == hit.t && other.primitive < hit.primitive))
+            hit = other;
+    }
+
     static constexpr uint32_t none = ~uint32_t { 0 };
     typename Simd::Floats limit; // hit.t
     Hit hit;
@@ -24,6 +30,7 @@ template <typename Simd> class TriangleRay {
 
 public:
     explicit TriangleRay(const Ray& ray)
+        : m_ray(ray)
     {
         const float d[3] = { ray.direction.x, ray.direction.y, ray.direction.z };
         const float origin[3] = { ray.origin.x, ray.origin.y, ray.origin.z };
@@ -51,8 +58,15 @@ public:
         if (mask == 0)
             return false;
         const Floats t = distances(block, s);
-        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, limit) & s.withArea();
-        return mask != 0;
+        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, limit);
+        if (mask == 0)
+            return false;
+        const unsigned certain = mask & s.withArea();
+        if (certain != 0)
+            return true;
+        Closest<Simd> closest(m_ray);
+        findEdgeOn(block, m_ray, mask, closest);
+        return closest.hit.primitive != closest.none;
     }
 
     // Replaces the closest hit by one that is closer.
@@ -63,9 +77,13 @@ public:
         if (mask == 0)
             return;
         const Floats t = distances(block, s);
-        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, closest.limit) & s.withArea();
+        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, closest.limit);
         if (mask == 0)
             return;
+        if (const unsigned edgeOn = mask & ~s.withArea(); __builtin_expect(edgeOn != 0, 0)) {
+            findEdgeOn(block, m_ray, edgeOn, closest);
+            mask &= ~edgeOn;
+        }
         alignas(32) float ts[width], us[width], vs[width];
         const Floats sum = s.weights[0] + s.weights[1] + s.weights[2];
         Simd::store(ts, t);
@@ -73,10 +91,7 @@ public:
         Simd::store(vs, s.weights[2] / sum);
         for (; mask != 0; mask &= mask - 1) {
             const int i = __builtin_ctz(mask);
-            const bool isCloser
-                = ts[i] < closest.hit.t || (ts[i] == closest.hit.t && block.primitives[i] < closest.hit.primitive);
-            if (isCloser)
-                closest.hit = { ts[i], block.primitives[i], us[i], vs[i] };
+            closest.offer({ ts[i], block.primitives[i], us[i], vs[i] });
         }
         closest.limit = Simd::broadcast(closest.hit.t);
     }
@@ -148,6 +163,36 @@ private:
         return Simd::min(Simd::max(height / slope, nearest), farthest);
     }
 
+    // Triangles whose weights are all zero after rounding. Without area they are not met, but that of a thin one may be
+    // too small to see, and on a coarse grid whole groups of neighbours are seen edge-on: without them the ray would
+    // slip through. Products of floats fit into a double, so that here the signs are exact.
+    [[gnu::noinline, gnu::cold]] static void findEdgeOn(
+        const Block& block, const Ray& ray, unsigned mask, Closest<Simd>& closest)
+    {
+        const TriangleRay self(ray);
+        const Sheared s = self.shear(block);
+        alignas(32) float x[3][width], y[3][width], t[width];
+        for (int corner = 0; corner < 3; ++corner) {
+            Simd::store(x[corner], s.x[corner]);
+            Simd::store(y[corner], s.y[corner]);
+        }
+        Simd::store(t, self.distances(block, s));
+        for (; mask != 0; mask &= mask - 1) {
+            const int i = __builtin_ctz(mask);
+            const double a = weight(x[2][i], y[2][i], x[1][i], y[1][i]);
+            const double b = weight(x[0][i], y[0][i], x[2][i], y[2][i]);
+            const double c = weight(x[1][i], y[1][i], x[0][i], y[0][i]);
+            const bool anyNegative = a < 0.0 || b < 0.0 || c<0.0, anyPositive = a> 0.0 || b > 0.0 || c > 0.0;
+            if (anyNegative != anyPositive) {
+                const double sum = a + b + c;
+                closest.offer({ t[i], block.primitives[i], static_cast<float>(b / sum), static_cast<float>(c / sum) });
+            }
+        }
+    }
+
+    static double weight(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
+
+    const Ray& m_ray;
     uint64_t m_rows[3]; // bytes to where the block has the axis that becomes x, y, z
     Floats m_origin[3], m_direction[3], m_shearX, m_shearY, m_scale;
 };
