@@ -26,19 +26,19 @@ public:
             m_inverse[i] = Simd::broadcast(inverse[i]);
             m_nearOffset[i] = Simd::broadcast(nearOffset[i]);
             m_farOffset[i] = Simd::broadcast(farOffset[i]);
-            m_nearRow[i] = (2 * static_cast<unsigned>(i) + ((negative >> i) & 1)) * rowSize;
-            m_farRow[i] = m_nearRow[i] ^ rowSize;
+            const uint64_t nearRow = (2 * static_cast<unsigned>(i) + ((negative >> i) & 1)) * rowSize;
+            m_nearRows[i] = reinterpret_cast<const char*>(tree.nodes) + nearRow;
+            m_farRows[i] = reinterpret_cast<const char*>(tree.nodes) + (nearRow ^ rowSize);
         }
     }
 
     // Which of the node's boxes the ray meets within the limit; entry becomes where. Kay and Kajiya 1986.
-    [[nodiscard]] unsigned meets(const Node& node, Floats limit, Floats& entry) const
+    [[nodiscard]] unsigned meets(Child node, Floats limit, Floats& entry) const
     {
-        const char* const rows = reinterpret_cast<const char*>(node.bounds);
         Floats in[3], out[3];
         for (int i = 0; i < 3; ++i) {
-            in[i] = Simd::multiplySubtract(row(rows, m_nearRow[i]), m_inverse[i], m_nearOffset[i]);
-            out[i] = Simd::multiplySubtract(row(rows, m_farRow[i]), m_inverse[i], m_farOffset[i]);
+            in[i] = Simd::multiplySubtract(row(m_nearRows[i], node), m_inverse[i], m_nearOffset[i]);
+            out[i] = Simd::multiplySubtract(row(m_farRows[i], node), m_inverse[i], m_farOffset[i]);
         }
         entry = Simd::max(Simd::max(in[0], in[1]), Simd::max(in[2], Simd::broadcast(0.0f)));
         const Floats exit = Simd::min(Simd::min(out[0], out[1]), Simd::min(out[2], limit));
@@ -59,9 +59,9 @@ private:
     using Float4 = float __attribute__((vector_size(16)));
     using Int4 = int __attribute__((vector_size(16)));
 
-    static Floats row(const char* rows, uint64_t offset)
+    static Floats row(const char* rows, Child node)
     {
-        return Simd::load(reinterpret_cast<const float*>(rows + offset));
+        return Simd::load(reinterpret_cast<const float*>(rows + node * childUnit));
     }
 
     static Float4 load(const float* p)
@@ -80,7 +80,7 @@ private:
         return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) | (reinterpret_cast<Int4>(b) & ~0x7fffffff));
     }
 
-    uint64_t m_nearRow[3], m_farRow[3]; // bytes
+    const char *m_nearRows[3], *m_farRows[3]; // of the first node
     Floats m_inverse[3], m_nearOffset[3], m_farOffset[3];
 };
 

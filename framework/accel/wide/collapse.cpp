@@ -74,17 +74,17 @@ namespace {
             for (std::size_t i = 0; i < children.count; ++i) {
                 setBox(node, i, children.nodes[i]->box);
                 if (isBlock(*children.nodes[i])) {
-                    node.children[i] = blockBit | static_cast<Child>(m_wide.blocks.size());
+                    node.children[i] = blockBit | blockStride * static_cast<Child>(m_wide.blocks.size());
                     addBlock(*children.nodes[i]);
                 } else {
-                    node.children[i] = static_cast<Child>(m_wide.nodes.size());
+                    node.children[i] = nodeStride * static_cast<Child>(m_wide.nodes.size());
                     m_wide.nodes.emplace_back();
                 }
             }
             m_wide.nodes[index] = node;
             for (std::size_t i = 0; i < children.count; ++i)
                 if (!isBlock(*children.nodes[i]))
-                    fill(node.children[i], *children.nodes[i]);
+                    fill(node.children[i] / nodeStride, *children.nodes[i]);
         }
 
         // The subtree as at most so many boxes.

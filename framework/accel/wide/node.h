@@ -5,9 +5,11 @@ namespace accel::wide {
 
 inline constexpr int width = 8; // children of a node, triangles of a block
 
-// Names a node, or a block of triangles if the highest bit is set: the other bits are its index.
+// A node or, if the highest bit is set, a block of triangles: where it lies in its array, in units of eight bytes, since
+// addresses count in these at no cost.
 using Child = uint32_t;
 inline constexpr Child blockBit = 1u << 31;
+inline constexpr uint64_t childUnit = 8;
 
 // Eight boxes, a cache line for each axis. Unused places hold boxes that no ray enters: from infinity to minus
 // infinity.
@@ -23,6 +25,8 @@ struct alignas(64) Block {
     uint32_t primitives[width];
 };
 static_assert(sizeof(Block) == 320);
+
+inline constexpr Child nodeStride = sizeof(Node) / childUnit, blockStride = sizeof(Block) / childUnit;
 
 // No path from the root may have more nodes: traversals keep a stack for it.
 inline constexpr int maxDepth = 96;

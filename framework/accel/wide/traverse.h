@@ -70,6 +70,17 @@ private:
         return bits;
     }
 
+    static const Child* childrenOf(const View& tree, Child node)
+    {
+        return reinterpret_cast<const Node*>(reinterpret_cast<const char*>(tree.nodes) + node * childUnit)->children;
+    }
+
+    static const Block& blockOf(const View& tree, Child block)
+    {
+        const char* const blocks = reinterpret_cast<const char*>(tree.blocks);
+        return *reinterpret_cast<const Block*>(blocks + (block & ~blockBit) * childUnit);
+    }
+
     static void order(Visit& a, Visit& b)
     {
         if (b < a) {
@@ -89,39 +100,39 @@ private:
         for (;;) {
             if (current & blockBit) {
                 count.block();
-                triangleRay.findCloser(tree.blocks[current & ~blockBit], closest);
+                triangleRay.findCloser(blockOf(tree, current), closest);
             } else {
                 count.node();
-                const Node& node = tree.nodes[current];
+                const Child* const children = childrenOf(tree, current);
                 Floats entry;
-                unsigned mask = boxRay.meets(node, closest.limit, entry);
+                unsigned mask = boxRay.meets(current, closest.limit, entry);
                 if (mask != 0) {
                     const int first = __builtin_ctz(mask);
                     mask &= mask - 1;
                     if (mask == 0) {
-                        current = node.children[first];
+                        current = children[first];
                         continue;
                     }
                     alignas(32) float entries[width];
                     Simd::store(entries, entry);
                     const int second = __builtin_ctz(mask);
                     mask &= mask - 1;
-                    Visit a = visit(node.children[first], bitsOf(entries[first]));
-                    Visit b = visit(node.children[second], bitsOf(entries[second]));
+                    Visit a = visit(children[first], bitsOf(entries[first]));
+                    Visit b = visit(children[second], bitsOf(entries[second]));
                     if (mask == 0) {
                         if (entries[first] <= entries[second]) {
                             *top++ = b;
-                            current = node.children[first];
+                            current = children[first];
                         } else {
                             *top++ = a;
-                            current = node.children[second];
+                            current = children[second];
                         }
                         continue;
                     }
                     const auto next = [&] {
                         const int i = __builtin_ctz(mask);
                         mask &= mask - 1;
-                        return visit(node.children[i], bitsOf(entries[i]));
+                        return visit(children[i], bitsOf(entries[i]));
                     };
                     Visit c = next();
                     order(a, b);
@@ -178,17 +189,17 @@ private:
         for (;;) {
             if (current & blockBit) {
                 count.block();
-                if (triangleRay.meets(tree.blocks[current & ~blockBit], limit))
+                if (triangleRay.meets(blockOf(tree, current), limit))
                     return true;
             } else {
                 count.node();
-                const Node& node = tree.nodes[current];
+                const Child* const children = childrenOf(tree, current);
                 Floats entry;
-                unsigned mask = boxRay.meets(node, limit, entry);
+                unsigned mask = boxRay.meets(current, limit, entry);
                 if (mask != 0) {
-                    current = node.children[__builtin_ctz(mask)];
+                    current = children[__builtin_ctz(mask)];
                     for (mask &= mask - 1; mask != 0; mask &= mask - 1)
-                        *top++ = node.children[__builtin_ctz(mask)];
+                        *top++ = children[__builtin_ctz(mask)];
                     continue;
                 }
             }
