@@ -43,8 +43,13 @@ namespace {
         WideNodes collapse()
         {
             const BinaryNode& root = m_tree.nodes[0];
-            if (isBlock(root)) {
-                addBlock(root);
+            gatherPrimitives(root);
+            std::ranges::sort(m_primitives);
+            m_primitives.erase(std::unique(m_primitives.begin(), m_primitives.end()), m_primitives.end());
+            if (m_primitives.size() <= 40) {
+                for (std::size_t first = 0; first < m_primitives.size(); first += width)
+                    m_wide.blocks.push_back(makeBlock(
+                        std::span(m_primitives).subspan(first, std::min<std::size_t>(width, m_primitives.size() - first))));
             } else {
                 m_wide.nodes.push_back(emptyNode());
                 fill(0, root);
@@ -117,6 +122,11 @@ namespace {
             std::ranges::sort(primitives); // parts of one triangle have met again
             primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
 
+            m_wide.blocks.push_back(makeBlock(primitives));
+        }
+
+        Block makeBlock(std::span<const uint32_t> primitives) const
+        {
             Block block = emptyBlock();
             for (std::size_t i = 0; i < primitives.size(); ++i) {
                 block.primitives[i] = primitives[i];
@@ -124,7 +134,7 @@ namespace {
                     for (std::size_t corner = 0; corner < 3; ++corner)
                         block.positions[axis][corner][i] = m_triangles[primitives[i]][corner][axis];
             }
-            m_wide.blocks.push_back(block);
+            return block;
         }
 
         void gatherPrimitives(const BinaryNode& node)

@@ -42,15 +42,16 @@ private:
     template <typename Count>
     [[gnu::always_inline]] static bool findClosest(const View& tree, const Ray& ray, Hit& hit, Count count)
     {
-        const TriangleRay<Simd> triangleRay(ray);
         Closest<Simd> closest(ray);
         if (tree.numNodes == 0) {
+            const TriangleRay<Simd> triangleRay(ray);
             for (uint32_t i = 0; i < tree.numBlocks; ++i) {
                 count.block();
                 triangleRay.findCloser(tree.blocks[i], closest);
             }
         } else {
-            descend(tree, BoxRay<Simd>(tree, ray), triangleRay, closest, count);
+            const BoxRay<Simd> boxRay(tree, ray); // first: the root waits for it
+            descend(tree, boxRay, TriangleRay<Simd>(ray), closest, count);
         }
         if (closest.hit.primitive == closest.none)
             return false;
@@ -174,15 +175,18 @@ private:
 
     template <typename Count> [[gnu::always_inline]] static bool findAny(const View& tree, const Ray& ray, Count count)
     {
-        const TriangleRay<Simd> triangleRay(ray);
         const Floats limit = Simd::broadcast(ray.t);
         if (tree.numNodes == 0) {
-            for (uint32_t i = 0; i < tree.numBlocks; ++i)
+            const TriangleRay<Simd> triangleRay(ray);
+            for (uint32_t i = 0; i < tree.numBlocks; ++i) {
+                count.block();
                 if (triangleRay.meets(tree.blocks[i], limit))
                     return true;
+            }
             return false;
         }
         const BoxRay<Simd> boxRay(tree, ray);
+        const TriangleRay<Simd> triangleRay(ray);
         Child stack[maxDepth * (width - 1) + width];
         Child* top = stack;
         Child current = 0;
