@@ -1,5 +1,6 @@
 // ./raywork bench: measures the library against others.
 #include "bench/report.h"
+#include "bench/watertight.h"
 #include "files/error.h"
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -14,6 +15,7 @@ struct Options {
     std::vector<std::string> meshes, scenes;
     std::string json;
     std::size_t numRays = 1 << 17;
+    std::size_t numLeakRays = 20'000'000;
     int numRepetitions = 5;
     bool onlyFast = false;
 };
@@ -21,6 +23,9 @@ struct Options {
 void declare(CLI::App& cli, Options& options)
 {
     cli.require_subcommand(1);
+    CLI::App& watertight
+        = *cli.add_subcommand("watertight", "Rays at corners and edges of closed meshes: how many slip through");
+    watertight.add_option("--rays", options.numLeakRays, "Rays")->capture_default_str()->check(CLI::PositiveNumber);
     CLI::App& traversal = *cli.add_subcommand("traversal", "One ray after the other through a tree, on one thread");
     traversal.add_option("meshes", options.meshes, "Meshes (.obj)");
     traversal.add_option("--scene", options.scenes, "A scene of the folder scenes, bowl or field; repeatable")
@@ -65,7 +70,7 @@ std::vector<bench::Row> measureModel(const bench::Model& model, const Options& o
     return rows;
 }
 
-void run(const Options& options)
+void measureTraversal(const Options& options)
 {
     fmt::print("{:<20} {:<8} {:<15} {:>7}  ours over it            build s  B/tri  disagree\n", "model", "rays",
         "rival", "M/s");
@@ -93,7 +98,10 @@ int main(int argc, char** argv)
         return cli.exit(error) == 0 ? Success : BadInput;
     }
     try {
-        run(options);
+        if (cli.got_subcommand("watertight"))
+            bench::measureLeaks(options.numLeakRays);
+        else
+            measureTraversal(options);
         return Success;
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());

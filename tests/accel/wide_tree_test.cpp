@@ -1,11 +1,12 @@
 #include "accel/wide/tree.h"
-#include "closed_mesh.h"
+#include "bench/closed_mesh.h"
 #include "exact_hits.h"
 #include "grading/random.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 using accel::WideTree;
+using bench::ClosedMesh;
 using grading::Random;
 using Triangle = WideTree::Triangle;
 

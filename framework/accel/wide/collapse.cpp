@@ -32,6 +32,8 @@ namespace {
         std::size_t count = 0;
     };
 
+    constexpr uint32_t fewReferences = 5 * width; // are tested faster than boxes around them
+
     class Collapser {
     public:
         Collapser(const BinaryTree& tree, std::span<const Triangle> triangles)
@@ -43,13 +45,8 @@ namespace {
         WideNodes collapse()
         {
             const BinaryNode& root = m_tree.nodes[0];
-            gatherPrimitives(root);
-            std::ranges::sort(m_primitives);
-            m_primitives.erase(std::unique(m_primitives.begin(), m_primitives.end()), m_primitives.end());
-            if (m_primitives.size() <= 40) {
-                for (std::size_t first = 0; first < m_primitives.size(); first += width)
-                    m_wide.blocks.push_back(makeBlock(
-                        std::span(m_primitives).subspan(first, std::min<std::size_t>(width, m_primitives.size() - first))));
+            if (root.numReferences <= fewReferences) {
+                addBlocks(root);
             } else {
                 m_wide.nodes.push_back(emptyNode());
                 fill(0, root);
@@ -65,22 +62,22 @@ namespace {
             return m_tree.nodes[node.children[i]];
         }
 
-        // Children lie side by side: nodes with nodes, blocks with blocks.
+        // Children lie side by side: nodes with nodes, blocks with blocks. The largest comes first: who asks whether
+        // there is anything at all begins with it.
         void fill(std::size_t index, const BinaryNode& binary)
         {
             Children children;
             addChildren(child(binary, 0), binary.share[0], children);
             addChildren(child(binary, 1), static_cast<std::size_t>(width - binary.share[0]), children);
 
-            std::stable_sort(children.nodes.begin(),
-                children.nodes.begin() + static_cast<std::ptrdiff_t>(children.count),
+            std::sort(children.nodes.begin(), children.nodes.begin() + static_cast<std::ptrdiff_t>(children.count),
                 [](const BinaryNode* a, const BinaryNode* b) { return a->box.halfArea() > b->box.halfArea(); });
             Node node = emptyNode();
             for (std::size_t i = 0; i < children.count; ++i) {
                 setBox(node, i, children.nodes[i]->box);
                 if (isBlock(*children.nodes[i])) {
                     node.children[i] = blockBit | blockStride * static_cast<Child>(m_wide.blocks.size());
-                    addBlock(*children.nodes[i]);
+                    addBlocks(*children.nodes[i]);
                 } else {
                     node.children[i] = nodeStride * static_cast<Child>(m_wide.nodes.size());
                     m_wide.nodes.emplace_back();
@@ -114,25 +111,25 @@ namespace {
             }
         }
 
-        void addBlock(const BinaryNode& node)
+        // As many as it takes.
+        void addBlocks(const BinaryNode& node)
         {
-            std::vector<uint32_t>& primitives = m_primitives;
-            primitives.clear();
+            m_primitives.clear();
             gatherPrimitives(node);
-            std::ranges::sort(primitives); // parts of one triangle have met again
-            primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
-
-            m_wide.blocks.push_back(makeBlock(primitives));
+            std::ranges::sort(m_primitives); // parts of one triangle have met again
+            m_primitives.erase(std::unique(m_primitives.begin(), m_primitives.end()), m_primitives.end());
+            for (std::size_t first = 0; first < m_primitives.size(); first += width)
+                m_wide.blocks.push_back(makeBlock(first));
         }
 
-        Block makeBlock(std::span<const uint32_t> primitives) const
+        [[nodiscard]] Block makeBlock(std::size_t first) const
         {
             Block block = emptyBlock();
-            for (std::size_t i = 0; i < primitives.size(); ++i) {
-                block.primitives[i] = primitives[i];
+            for (std::size_t i = 0; i < width && first + i < m_primitives.size(); ++i) {
+                block.primitives[i] = m_primitives[first + i];
                 for (int axis = 0; axis < 3; ++axis)
                     for (std::size_t corner = 0; corner < 3; ++corner)
-                        block.positions[axis][corner][i] = m_triangles[primitives[i]][corner][axis];
+                        block.positions[axis][corner][i] = m_triangles[block.primitives[i]][corner][axis];
             }
             return block;
         }
@@ -151,7 +148,7 @@ namespace {
         const BinaryTree& m_tree;
         std::span<const Triangle> m_triangles;
         WideNodes m_wide;
-        std::vector<uint32_t> m_primitives; // of one block
+        std::vector<uint32_t> m_primitives; // of one node
     };
 
 }

@@ -5,8 +5,8 @@ namespace accel::wide {
 
 inline constexpr int width = 8; // children of a node, triangles of a block
 
-// A node or, if the highest bit is set, a block of triangles: where it lies in its array, in units of eight bytes, since
-// addresses count in these at no cost.
+// A node or, if the highest bit is set, a block of triangles: where it lies in its array, in units of eight bytes,
+// since addresses count in these at no cost.
 using Child = uint32_t;
 inline constexpr Child blockBit = 1u << 31;
 inline constexpr uint64_t childUnit = 8;

@@ -2,7 +2,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
+
+namespace bench {
 
 // A dented ball around the origin, closed: every edge belongs to two triangles. Each level has four times the triangles
 // of the one below, beginning with eight. Its middle sees all of it.
@@ -46,3 +49,5 @@ private:
         return p * (1.0f + 0.2f * std::sin(17.0f * p.x + 3.0f) * std::sin(13.0f * p.y) * std::cos(11.0f * p.z));
     }
 };
+
+}
