@@ -1,4 +1,5 @@
 #include "accel/traversal.h"
+#include "accel/wide/tree.h"
 #include "bvh.h"
 #include "intersect.h"
 
@@ -22,12 +23,28 @@ void fillHit(const RenderState& state, const BVHInterface::Primitive& primitive,
         hitInfo.normal = -hitInfo.normal;
 }
 
+// By the library's own tree if there is one, by the one of boxes that anybody can build otherwise.
+const BVHInterface::Primitive* findTriangle(const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+{
+    const accel::WideTree* tree = bvh.wideTree();
+    if (!tree)
+        return accel::findClosest(bvh, ray, hit);
+    const auto found = tree->closest(ray);
+    if (!found)
+        return nullptr;
+    const BVHInterface::Primitive& primitive = bvh.primitives()[found->primitive];
+    const glm::vec3 &a = primitive.v0.position, &b = primitive.v1.position, &c = primitive.v2.position;
+    hit = { found->t, { 1.0f - found->u - found->v, found->u, found->v }, glm::cross(b - a, c - a) };
+    ray.t = found->t;
+    return &primitive;
+}
+
 }
 
 bool intersectRayWithBVH(RenderState& state, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
 {
     accel::TriangleHit hit;
-    const BVHInterface::Primitive* primitive = accel::findClosest(bvh, ray, hit);
+    const BVHInterface::Primitive* primitive = findTriangle(bvh, ray, hit);
     if (primitive)
         fillHit(state, *primitive, hit, ray, hitInfo);
     bool hitSphere = false;

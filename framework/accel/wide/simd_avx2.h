@@ -23,15 +23,8 @@ struct Avx2 {
     // A bit for each of four.
     static unsigned signs(__m128 a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
 
-    // Writes the children in the mask to where there is room for all.
-    static void pack(unsigned mask, const Child* children, Child* to)
-    {
-        const uint64_t spread = _pdep_u64(mask, 0x0101010101010101u) * 0xff;
-        const uint64_t places = _pext_u64(0x0706050403020100u, spread);
-        const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(places)));
-        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(children));
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, order));
-    }
+    // The highest bits of eight.
+    static unsigned topBits(const uint32_t* p) { return bits(load(reinterpret_cast<const float*>(p))); }
 
     static unsigned less(Floats a, Floats b) { return bits(_mm256_cmp_ps(a, b, _CMP_LT_OQ)); }
 

@@ -21,12 +21,10 @@ struct Avx512 {
     // A bit for each of four.
     static unsigned signs(__m128 a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
 
-    // Writes the children in the mask to where there is room for all.
-    static void pack(unsigned mask, const Child* children, Child* to)
+    // The highest bits of eight.
+    static unsigned topBits(const uint32_t* p)
     {
-        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(children));
-        const __m256i packed = _mm256_maskz_compress_epi32(static_cast<__mmask8>(mask), all);
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), packed);
+        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_load_ps(reinterpret_cast<const float*>(p))));
     }
 
     static unsigned less(Floats a, Floats b) { return _mm256_cmp_ps_mask(a, b, _CMP_LT_OQ); }

@@ -44,11 +44,11 @@ struct Halves4 {
     // A bit for each of four.
     static unsigned signs(Half a) { return bits(reinterpret_cast<Mask>(a) < 0); }
 
-    // Writes the children in the mask to where there is room for all.
-    static void pack(unsigned mask, const Child* children, Child* to)
+    // The highest bits of eight.
+    static unsigned topBits(const uint32_t* p)
     {
-        for (; mask != 0; mask &= mask - 1)
-            *to++ = children[__builtin_ctz(mask)];
+        const Floats a = load(reinterpret_cast<const float*>(p));
+        return signs(a.low) | signs(a.high) << 4;
     }
 
 private:

@@ -91,6 +91,21 @@ private:
         }
     }
 
+    // The nearest last, on top. Rare, and apart so that the loop keeps its registers.
+    [[gnu::noinline]] static Visit* pushSorted(unsigned mask, const Child* children, const float* entries, Visit* top)
+    {
+        const Visit* const bottom = top;
+        for (; mask != 0; mask &= mask - 1) {
+            const int i = __builtin_ctz(mask);
+            const Visit next = visit(children[i], bitsOf(entries[i]));
+            Visit* place = top++;
+            for (; place != bottom && place[-1] < next; --place)
+                *place = place[-1];
+            *place = next;
+        }
+        return top;
+    }
+
     template <typename Count>
     [[gnu::always_inline]] static void descend(const View& tree, const BoxRay<Simd>& boxRay,
         const TriangleRay<Simd>& triangleRay, Closest<Simd>& closest, Count count)
@@ -99,7 +114,7 @@ private:
         Visit* top = stack;
         Child current = 0;
         for (;;) {
-            if (current & blockBit) {
+            if (__builtin_expect(current & blockBit, 0)) {
                 count.block();
                 triangleRay.findCloser(blockOf(tree, current), closest);
             } else {
@@ -107,7 +122,7 @@ private:
                 const Child* const children = childrenOf(tree, current);
                 Floats entry;
                 unsigned mask = boxRay.meets(current, closest.limit, entry);
-                if (mask != 0) {
+                if (__builtin_expect(mask != 0, 1)) {
                     const int first = __builtin_ctz(mask);
                     mask &= mask - 1;
                     if (mask == 0) {
@@ -118,9 +133,9 @@ private:
                     Simd::store(entries, entry);
                     const int second = __builtin_ctz(mask);
                     mask &= mask - 1;
-                    Visit a = visit(children[first], bitsOf(entries[first]));
-                    Visit b = visit(children[second], bitsOf(entries[second]));
                     if (mask == 0) {
+                        const Visit a = visit(children[first], bitsOf(entries[first]));
+                        const Visit b = visit(children[second], bitsOf(entries[second]));
                         if (entries[first] <= entries[second]) {
                             *top++ = b;
                             current = children[first];
@@ -130,30 +145,22 @@ private:
                         }
                         continue;
                     }
-                    const auto next = [&] {
-                        const int i = __builtin_ctz(mask);
-                        mask &= mask - 1;
-                        return visit(children[i], bitsOf(entries[i]));
-                    };
-                    Visit c = next();
-                    order(a, b);
-                    order(b, c);
-                    order(a, b);
-                    *top++ = c;
-                    *top++ = b;
+                    const int third = __builtin_ctz(mask);
+                    mask &= mask - 1;
                     if (mask == 0) {
+                        Visit a = visit(children[first], bitsOf(entries[first]));
+                        Visit b = visit(children[second], bitsOf(entries[second]));
+                        Visit c = visit(children[third], bitsOf(entries[third]));
+                        order(a, b);
+                        order(b, c);
+                        order(a, b);
+                        *top++ = c;
+                        *top++ = b;
                         current = childOf(a);
                         continue;
                     }
-                    while (mask != 0) {
-                        Visit d = next();
-                        order(a, d);
-                        Visit* place = top++;
-                        for (; place > stack && place[-1] < d && place > top - 8; --place)
-                            *place = place[-1];
-                        *place = d;
-                    }
-                    current = childOf(a);
+                    top = pushSorted(mask | 1u << first | 1u << second | 1u << third, children, entries, top);
+                    current = childOf(*--top);
                     continue;
                 }
             }
@@ -180,7 +187,7 @@ private:
             const TriangleRay<Simd> triangleRay(ray);
             for (uint32_t i = 0; i < tree.numBlocks; ++i) {
                 count.block();
-                if (triangleRay.meets(tree.blocks[i], limit))
+                if (triangleRay.template meets<true>(tree.blocks[i], limit))
                     return true;
             }
             return false;
@@ -191,21 +198,22 @@ private:
         Child* top = stack;
         Child current = 0;
         for (;;) {
-            if (current & blockBit) {
+            count.node();
+            const Child* const children = childrenOf(tree, current);
+            Floats entry;
+            unsigned mask = boxRay.meets(current, limit, entry);
+            const unsigned isBlock = Simd::topBits(children);
+            for (unsigned blocks = mask & isBlock; blocks != 0; blocks &= blocks - 1) {
                 count.block();
-                if (triangleRay.meets(blockOf(tree, current), limit))
+                if (triangleRay.template meets<false>(blockOf(tree, children[__builtin_ctz(blocks)]), limit))
                     return true;
-            } else {
-                count.node();
-                const Child* const children = childrenOf(tree, current);
-                Floats entry;
-                unsigned mask = boxRay.meets(current, limit, entry);
-                if (mask != 0) {
-                    current = children[__builtin_ctz(mask)];
-                    for (mask &= mask - 1; mask != 0; mask &= mask - 1)
-                        *top++ = children[__builtin_ctz(mask)];
-                    continue;
-                }
+            }
+            mask &= ~isBlock;
+            if (mask != 0) {
+                current = children[__builtin_ctz(mask)];
+                for (mask &= mask - 1; mask != 0; mask &= mask - 1)
+                    *top++ = children[__builtin_ctz(mask)];
+                continue;
             }
             if (top == stack)
                 return false;
