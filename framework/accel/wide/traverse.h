@@ -114,15 +114,20 @@ private:
         Visit* top = stack;
         Child current = 0;
         for (;;) {
-            if (__builtin_expect(current & blockBit, 0)) {
-                count.block();
-                triangleRay.findCloser(blockOf(tree, current), closest);
-            } else {
+            {
                 count.node();
                 const Child* const children = childrenOf(tree, current);
                 Floats entry;
                 unsigned mask = boxRay.meets(current, closest.limit, entry);
-                if (__builtin_expect(mask != 0, 1)) {
+                const unsigned isBlock = Simd::topBits(children);
+                if (unsigned blocks = mask & isBlock; blocks != 0) {
+                    do {
+                        count.block();
+                        triangleRay.findCloser(blockOf(tree, children[__builtin_ctz(blocks)]), closest);
+                    } while ((blocks &= blocks - 1) != 0);
+                    mask &= ~isBlock & Simd::lessEqual(entry, closest.limit);
+                }
+                if (mask != 0) {
                     const int first = __builtin_ctz(mask);
                     mask &= mask - 1;
                     if (mask == 0) {
