@@ -15,8 +15,6 @@ struct ObjectSplit {
 
 class ObjectBins {
 public:
-    static constexpr int numBins = 16;
-
     // centroids: the box of all doubled centroids.
     ObjectBins(std::span<const Reference> references, const Box& centroids);
 
@@ -34,11 +32,14 @@ private:
         return __builtin_convertvector((doubledCentroid - m_origin) * m_scale, Int4);
     }
 
+    static constexpr int maxBins = 16;
+
     void search(int axis, ObjectSplit& best) const;
 
+    int m_numBins;
     Float4 m_origin, m_scale;
-    Box m_boxes[3][numBins];
-    uint32_t m_counts[3][numBins] {};
+    Box m_boxes[3][maxBins];
+    uint32_t m_counts[3][maxBins];
 };
 
 }

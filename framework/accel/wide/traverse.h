@@ -76,6 +76,14 @@ private:
         return reinterpret_cast<const Node*>(reinterpret_cast<const char*>(tree.nodes) + node * childUnit)->children;
     }
 
+    // A node that waits is fetched meanwhile.
+    static void prefetch(const View& tree, Child node)
+    {
+        const char* const lines = reinterpret_cast<const char*>(tree.nodes) + node * childUnit;
+        for (unsigned i = 0; i < sizeof(Node); i += 64)
+            __builtin_prefetch(lines + i);
+    }
+
     static const Block& blockOf(const View& tree, Child block)
     {
         const char* const blocks = reinterpret_cast<const char*>(tree.blocks);
@@ -143,9 +151,11 @@ private:
                         const Visit b = visit(children[second], bitsOf(entries[second]));
                         if (entries[first] <= entries[second]) {
                             *top++ = b;
+                            prefetch(tree, children[second]);
                             current = children[first];
                         } else {
                             *top++ = a;
+                            prefetch(tree, children[first]);
                             current = children[second];
                         }
                         continue;
@@ -161,6 +171,8 @@ private:
                         order(a, b);
                         *top++ = c;
                         *top++ = b;
+                        prefetch(tree, childOf(b));
+                        prefetch(tree, childOf(c));
                         current = childOf(a);
                         continue;
                     }
