@@ -34,8 +34,11 @@ const BVHInterface::Primitive* findTriangle(const BVHInterface& bvh, Ray& ray, a
         return nullptr;
     const BVHInterface::Primitive& primitive = bvh.primitives()[found->primitive];
     const glm::vec3 &a = primitive.v0.position, &b = primitive.v1.position, &c = primitive.v2.position;
-    hit = { found->t, { 1.0f - found->u - found->v, found->u, found->v }, glm::cross(b - a, c - a) };
-    ray.t = found->t;
+    // By the test of intersectRayWithTriangle, so that whoever uses that finds the same bits; it may round an edge
+    // away.
+    if (!accel::testTriangle(a, b, c, ray, hit))
+        hit = { found->t, { 1.0f - found->u - found->v, found->u, found->v }, glm::cross(b - a, c - a) };
+    ray.t = hit.t;
     return &primitive;
 }
 

@@ -29,7 +29,7 @@ struct Halves4 {
         halves[1] = a.high;
     }
     static Floats broadcast(float a) { return { Half {} + a, Half {} + a }; }
-    static Floats multiplySubtract(Floats a, Floats b, Floats c) { return a * b - c; } // rounded once or twice
+    static Floats multiplySubtract(Floats a, Floats b, Floats c) { return a * b - c; }
     static Floats min(Floats a, Floats b)
     {
         return { a.low < b.low ? a.low : b.low, a.high < b.high ? a.high : b.high };

@@ -122,64 +122,62 @@ private:
         Visit* top = stack;
         Child current = 0;
         for (;;) {
-            {
-                count.node();
-                const Child* const children = childrenOf(tree, current);
-                Floats entry;
-                unsigned mask = boxRay.meets(current, closest.limit, entry);
-                const unsigned isBlock = Simd::topBits(children);
-                if (unsigned blocks = mask & isBlock; blocks != 0) {
-                    do {
-                        count.block();
-                        triangleRay.findCloser(blockOf(tree, children[__builtin_ctz(blocks)]), closest);
-                    } while ((blocks &= blocks - 1) != 0);
-                    mask &= ~isBlock & Simd::lessEqual(entry, closest.limit);
-                }
-                if (mask != 0) {
-                    const int first = __builtin_ctz(mask);
-                    mask &= mask - 1;
-                    if (mask == 0) {
-                        current = children[first];
-                        continue;
-                    }
-                    alignas(32) float entries[width];
-                    Simd::store(entries, entry);
-                    const int second = __builtin_ctz(mask);
-                    mask &= mask - 1;
-                    if (mask == 0) {
-                        const Visit a = visit(children[first], bitsOf(entries[first]));
-                        const Visit b = visit(children[second], bitsOf(entries[second]));
-                        if (entries[first] <= entries[second]) {
-                            *top++ = b;
-                            prefetch(tree, children[second]);
-                            current = children[first];
-                        } else {
-                            *top++ = a;
-                            prefetch(tree, children[first]);
-                            current = children[second];
-                        }
-                        continue;
-                    }
-                    const int third = __builtin_ctz(mask);
-                    mask &= mask - 1;
-                    if (mask == 0) {
-                        Visit a = visit(children[first], bitsOf(entries[first]));
-                        Visit b = visit(children[second], bitsOf(entries[second]));
-                        Visit c = visit(children[third], bitsOf(entries[third]));
-                        order(a, b);
-                        order(b, c);
-                        order(a, b);
-                        *top++ = c;
-                        *top++ = b;
-                        prefetch(tree, childOf(b));
-                        prefetch(tree, childOf(c));
-                        current = childOf(a);
-                        continue;
-                    }
-                    top = pushSorted(mask | 1u << first | 1u << second | 1u << third, children, entries, top);
-                    current = childOf(*--top);
+            count.node();
+            const Child* const children = childrenOf(tree, current);
+            Floats entry;
+            unsigned mask = boxRay.meets(current, closest.limit, entry);
+            const unsigned isBlock = Simd::topBits(children);
+            if (unsigned blocks = mask & isBlock; blocks != 0) {
+                do {
+                    count.block();
+                    triangleRay.findCloser(blockOf(tree, children[__builtin_ctz(blocks)]), closest);
+                } while ((blocks &= blocks - 1) != 0);
+                mask &= ~isBlock & Simd::lessEqual(entry, closest.limit);
+            }
+            if (mask != 0) {
+                const int first = __builtin_ctz(mask);
+                mask &= mask - 1;
+                if (mask == 0) {
+                    current = children[first];
                     continue;
                 }
+                alignas(32) float entries[width];
+                Simd::store(entries, entry);
+                const int second = __builtin_ctz(mask);
+                mask &= mask - 1;
+                if (mask == 0) {
+                    const Visit a = visit(children[first], bitsOf(entries[first]));
+                    const Visit b = visit(children[second], bitsOf(entries[second]));
+                    if (entries[first] <= entries[second]) {
+                        *top++ = b;
+                        prefetch(tree, children[second]);
+                        current = children[first];
+                    } else {
+                        *top++ = a;
+                        prefetch(tree, children[first]);
+                        current = children[second];
+                    }
+                    continue;
+                }
+                const int third = __builtin_ctz(mask);
+                mask &= mask - 1;
+                if (mask == 0) {
+                    Visit a = visit(children[first], bitsOf(entries[first]));
+                    Visit b = visit(children[second], bitsOf(entries[second]));
+                    Visit c = visit(children[third], bitsOf(entries[third]));
+                    order(a, b);
+                    order(b, c);
+                    order(a, b);
+                    *top++ = c;
+                    *top++ = b;
+                    prefetch(tree, childOf(b));
+                    prefetch(tree, childOf(c));
+                    current = childOf(a);
+                    continue;
+                }
+                top = pushSorted(mask | 1u << first | 1u << second | 1u << third, children, entries, top);
+                current = childOf(*--top);
+                continue;
             }
             const uint32_t limit = bitsOf(closest.hit.t);
             do {
