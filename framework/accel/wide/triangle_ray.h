@@ -42,7 +42,6 @@ public:
         for (int i = 0; i < 3; ++i) {
             m_rows[i] = axes[i] * sizeof(Block::positions[0]);
             m_origin[i] = Simd::broadcast(origin[axes[i]]);
-            m_direction[i] = Simd::broadcast(d[axes[i]]);
         }
         const float scale = 1.0f / d[axisZ];
         m_shearX = Simd::broadcast(d[axisX] * scale);
@@ -139,28 +138,30 @@ private:
         return s;
     }
 
-    // From the plane's equation: a weighted sum of the corners loses digits on huge triangles. Within what the corners
-    // allow: seen edge-on, the equation loses them all. Not a number gives way to that, as a first operand.
+    // From the plane's equation, since a weighted sum of the corners loses digits on huge triangles; in the order of
+    // intersectRayWithTriangle, for the same bits. Within what the corners allow but for rounding: seen edge-on, the
+    // equation loses all digits. Not a number gives way to that, as a first operand.
     [[nodiscard]] Floats distances(const Block& block, const Sheared& s) const
     {
-        Floats a[3], edge1[3], edge2[3];
+        const float* const origin = &m_ray.origin.x;
+        const float* const direction = &m_ray.direction.x;
+        Floats corner[3], edge1[3], edge2[3];
         for (int axis = 0; axis < 3; ++axis) {
-            const float* const corners = row(block, axis);
-            const Floats corner = Simd::load(corners);
-            a[axis] = corner - m_origin[axis];
-            edge1[axis] = Simd::load(corners + width) - corner;
-            edge2[axis] = Simd::load(corners + 2 * width) - corner;
+            const Floats first = Simd::load(block.positions[axis][0]);
+            corner[axis] = first - Simd::broadcast(origin[axis]);
+            edge1[axis] = Simd::load(block.positions[axis][1]) - first;
+            edge2[axis] = Simd::load(block.positions[axis][2]) - first;
         }
-        Floats height = Simd::broadcast(0.0f), slope = height;
-        for (int i = 0; i < 3; ++i) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            const Floats normal = edge1[j] * edge2[k] - edge1[k] * edge2[j];
-            height = height + normal * a[i];
-            slope = slope + normal * m_direction[i];
-        }
+        const Floats normalX = edge1[1] * edge2[2] - edge1[2] * edge2[1];
+        const Floats normalY = edge1[2] * edge2[0] - edge1[0] * edge2[2];
+        const Floats normalZ = edge1[0] * edge2[1] - edge1[1] * edge2[0];
+        const Floats height = normalX * corner[0] + normalY * corner[1] + normalZ * corner[2];
+        const Floats slope = normalX * Simd::broadcast(direction[0]) + normalY * Simd::broadcast(direction[1])
+            + normalZ * Simd::broadcast(direction[2]);
+
         const Floats first = s.z[0] * m_scale, second = s.z[1] * m_scale, third = s.z[2] * m_scale;
-        const Floats nearest = Simd::min(Simd::min(first, second), third);
-        const Floats farthest = Simd::max(Simd::max(first, second), third);
+        const Floats nearest = Simd::min(Simd::min(first, second), third) * Simd::broadcast(1.0f - 0x1p-21f);
+        const Floats farthest = Simd::max(Simd::max(first, second), third) * Simd::broadcast(1.0f + 0x1p-21f);
         return Simd::min(Simd::max(height / slope, nearest), farthest);
     }
 
@@ -183,7 +184,8 @@ private:
             const double a = weight(x[2][i], y[2][i], x[1][i], y[1][i]);
             const double b = weight(x[0][i], y[0][i], x[2][i], y[2][i]);
             const double c = weight(x[1][i], y[1][i], x[0][i], y[0][i]);
-            const bool anyNegative = a < 0.0 || b < 0.0 || c<0.0, anyPositive = a> 0.0 || b > 0.0 || c > 0.0;
+            const bool anyNegative = (a < 0.0) | (b < 0.0) | (c < 0.0);
+            const bool anyPositive = (a > 0.0) | (b > 0.0) | (c > 0.0);
             if (anyNegative != anyPositive) {
                 const double sum = a + b + c;
                 closest.offer({ t[i], block.primitives[i], static_cast<float>(b / sum), static_cast<float>(c / sum) });
@@ -195,7 +197,7 @@ private:
 
     const Ray& m_ray;
     uint64_t m_rows[3]; // bytes to where the block has the axis that becomes x, y, z
-    Floats m_origin[3], m_direction[3], m_shearX, m_shearY, m_scale;
+    Floats m_origin[3], m_shearX, m_shearY, m_scale;
 };
 
 }
