@@ -29,7 +29,7 @@ void declare(CLI::App& cli, Options& options)
     CLI::App& traversal = *cli.add_subcommand("traversal", "One ray after the other through a tree, on one thread");
     traversal.add_option("meshes", options.meshes, "Meshes (.obj)");
     traversal.add_option("--scene", options.scenes, "A scene of the folder scenes, bowl or field; repeatable")
-        ->take_all();
+        ->allow_extra_args(false); // what follows are meshes
     traversal.add_option("--json", options.json, "Write the figures to this file");
     traversal.add_option("--rays", options.numRays, "Rays in a set")->capture_default_str()->check(CLI::PositiveNumber);
     traversal.add_option("--repetitions", options.numRepetitions, "Times that each ray is traced")

@@ -27,6 +27,13 @@ namespace {
         return count;
     }
 
+    // As when the two halves of a pack of cards are let fall into one another: neighbours, who may share a tree, would
+    // find it in the caches.
+    std::size_t shuffled(std::size_t place, std::size_t count)
+    {
+        return place % 2 == 0 ? place / 2 : (count + 1) / 2 + place / 2;
+    }
+
     struct Chunk {
         std::span<const Ray> warmUp, rays;
     };
@@ -39,7 +46,7 @@ namespace {
         std::vector<double> shortest(rivals.size(), std::numeric_limits<double>::infinity());
         for (std::size_t repetition = 0; repetition < numRepetitions; ++repetition) {
             for (std::size_t turn = 0; turn < rivals.size(); ++turn) {
-                const std::size_t i = (turn + repetition) % rivals.size();
+                const std::size_t i = shuffled((turn + repetition) % rivals.size(), rivals.size());
                 rivals[i]->load(chunk.warmUp);
                 trace(*rivals[i], question);
                 rivals[i]->load(chunk.rays);

@@ -4,6 +4,7 @@
 #include "accel/wide/object_split.h"
 #include "accel/wide/spatial_split.h"
 #include <algorithm>
+#include <optional>
 #include <tbb/parallel_invoke.h>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace accel::wide {
 namespace {
 
     constexpr uint32_t medianDepth = maxDepth / 2; // from here halves: 2^32 triangles fit into the levels that are left
+    constexpr uint32_t leafSize = 2; // a block has room for more: to part two gains nothing
     constexpr uint32_t parallelSize = 2048; // references that are worth a task of their own
     constexpr float roomForCuts = 0.25f; // references more than triangles, at most
     // How much of the root's and of the node's surface must lie in both halves before it pays to look for a cut.
@@ -49,7 +51,7 @@ namespace {
             node.first = subtree.range.first;
             node.numReferences = subtree.range.count;
             node.children[0] = node.children[1] = 0;
-            if (subtree.range.count > 1)
+            if (subtree.range.count > leafSize)
                 buildChildren(node, split(subtree));
             computeCollapseCost(node, m_tree.nodes.get());
         }
@@ -189,8 +191,7 @@ BinaryTree buildBinaryTree(std::span<const Triangle> triangles)
 {
     const auto numTriangles = static_cast<uint32_t>(triangles.size());
     const uint32_t capacity = numTriangles + static_cast<uint32_t>(roomForCuts * static_cast<float>(numTriangles));
-    BinaryTree tree { std::unique_ptr<BinaryNode[]>(new BinaryNode[2 * capacity]), // untouched: not all are used
-        std::unique_ptr<Reference[]>(new Reference[capacity]) };
+    BinaryTree tree { makeLargeArray<BinaryNode>(2 * capacity), makeLargeArray<Reference>(capacity) };
     Box box = Box::empty();
     uint32_t count = 0;
     for (uint32_t i = 0; i < numTriangles; ++i) {

@@ -1,8 +1,7 @@
 #pragma once
 #include "accel/wide/box.h"
+#include "accel/wide/large_pages.h"
 #include "accel/wide/node.h"
-#include <memory>
-#include <optional>
 #include <span>
 
 namespace accel::wide {
@@ -22,8 +21,8 @@ struct BinaryNode {
 };
 
 struct BinaryTree {
-    std::unique_ptr<BinaryNode[]> nodes; // the root first; not all are in use; none if there is nothing to meet
-    std::unique_ptr<Reference[]> references; // likewise
+    LargeArray<BinaryNode> nodes; // the root first; not all are in use; none if there is nothing to meet
+    LargeArray<Reference> references; // likewise
 };
 
 // A tree by the surface area heuristic over triangles, cut in space where that pays. The same for any number of

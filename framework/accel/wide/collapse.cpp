@@ -48,6 +48,8 @@ namespace {
             if (root.numReferences <= fewReferences) {
                 addBlocks(root);
             } else {
+                m_wide.nodes.reserve(root.numReferences / 16); // more than it will take: what is not used costs nothing
+                m_wide.blocks.reserve(root.numReferences / 3);
                 m_wide.nodes.push_back(emptyNode());
                 fill(0, root);
             }
