@@ -64,8 +64,8 @@ namespace {
             return m_tree.nodes[node.children[i]];
         }
 
-        // Children lie side by side: nodes with nodes, blocks with blocks. The largest comes first: who asks whether
-        // there is anything at all begins with it.
+        // Children lie side by side: nodes with nodes, blocks with blocks. The smallest comes first: who asks whether
+        // there is anything at all begins with it, since it is soonest done.
         void fill(std::size_t index, const BinaryNode& binary)
         {
             Children children;
@@ -73,7 +73,7 @@ namespace {
             addChildren(child(binary, 1), static_cast<std::size_t>(width - binary.share[0]), children);
 
             std::sort(children.nodes.begin(), children.nodes.begin() + static_cast<std::ptrdiff_t>(children.count),
-                [](const BinaryNode* a, const BinaryNode* b) { return a->box.halfArea() > b->box.halfArea(); });
+                [](const BinaryNode* a, const BinaryNode* b) { return a->box.halfArea() < b->box.halfArea(); });
             Node node = emptyNode();
             for (std::size_t i = 0; i < children.count; ++i) {
                 setBox(node, i, children.nodes[i]->box);
