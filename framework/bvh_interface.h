@@ -6,6 +6,10 @@
 #include <framework/ray.h>
 #include <span>
 
+namespace accel {
+class WideTree;
+}
+
 // A binary tree of boxes over the scene's triangles. Node 0 is the root.
 struct BVHInterface {
     struct Primitive {
@@ -45,4 +49,7 @@ struct BVHInterface {
 
     [[nodiscard]] virtual uint32_t numLevels() const = 0;
     [[nodiscard]] virtual uint32_t numLeaves() const = 0;
+
+    // The library's own tree over the same primitives, as they were when it was built; null if there is none.
+    [[nodiscard]] virtual const accel::WideTree* wideTree() const { return nullptr; }
 };

@@ -25,6 +25,7 @@ public:
     [[nodiscard]] std::span<Primitive> primitives() override { return m_bvh.primitives(); }
     [[nodiscard]] uint32_t numLevels() const override { return m_bvh.numLevels(); }
     [[nodiscard]] uint32_t numLeaves() const override { return m_bvh.numLeaves(); }
+    [[nodiscard]] const WideTree* wideTree() const override { return m_bvh.wideTree(); }
 
     // Of all threads, since the process began. Only while nobody traces.
     [[nodiscard]] static RayCounts rayCounts();

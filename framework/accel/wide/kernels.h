@@ -1,0 +1,24 @@
+#pragma once
+#include "accel/wide/node.h"
+#include <framework/ray.h>
+#include <span>
+
+namespace accel::wide {
+
+// One compilation of the traversal.
+struct Kernel {
+    const char* name; // of the instruction set
+    bool (*closest)(const View& tree, const Ray& ray, Hit& hit); // hit is written if there is one
+    bool (*closestCounted)(const View& tree, const Ray& ray, Hit& hit, Counters& counters);
+    bool (*occluded)(const View& tree, const Ray& ray);
+    bool (*occludedCounted)(const View& tree, const Ray& ray, Counters& counters);
+};
+
+// Those that this processor can run, the fastest first; never empty.
+[[nodiscard]] std::span<const Kernel* const> kernels();
+[[nodiscard]] inline const Kernel& bestKernel()
+{
+    return *kernels().front();
+}
+
+}

@@ -1,0 +1,51 @@
+#pragma once
+#include "accel/wide/box.h"
+#include "accel/wide/kernels.h"
+#include <framework/ray.h>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace accel {
+
+// A tree over triangles that answers one ray at a time, as fast as the processor's vectors allow. Watertight: no ray
+// passes between triangles that share an edge or a corner.
+//
+// Both questions are about distances in [0, ray.t]. Edges belong to a triangle, both sides count; a triangle without
+// area, seen from where the ray comes, is never met. Of several closest triangles the one of the lowest index is found,
+// so the answer depends neither on the tree nor on the processor.
+class WideTree {
+public:
+    using Triangle = wide::Triangle;
+    using Hit = wide::Hit;
+
+    explicit WideTree(std::span<const Triangle> triangles);
+
+    // kernel: one that this processor can run.
+    [[nodiscard]] std::optional<Hit> closest(const Ray& ray) const { return closest(ray, m_kernel); }
+    [[nodiscard]] std::optional<Hit> closest(const Ray& ray, const wide::Kernel& kernel) const
+    {
+        Hit hit;
+        return kernel.closest(m_view, ray, hit) ? std::optional(hit) : std::nullopt;
+    }
+
+    [[nodiscard]] bool occluded(const Ray& ray) const { return occluded(ray, m_kernel); }
+    [[nodiscard]] bool occluded(const Ray& ray, const wide::Kernel& kernel) const
+    {
+        return kernel.occluded(m_view, ray);
+    }
+
+    // Adds what it tests to the counters.
+    [[nodiscard]] std::optional<Hit> closest(const Ray& ray, wide::Counters& counters) const;
+    [[nodiscard]] bool occluded(const Ray& ray, wide::Counters& counters) const;
+
+    [[nodiscard]] std::size_t numBytes() const;
+
+private:
+    std::vector<wide::Node> m_nodes;
+    std::vector<wide::Block> m_blocks;
+    wide::View m_view {};
+    const wide::Kernel& m_kernel = wide::bestKernel();
+};
+
+}

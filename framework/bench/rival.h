@@ -1,0 +1,34 @@
+#pragma once
+#include "bench/model.h"
+#include <framework/ray.h>
+#include <memory>
+#include <span>
+
+namespace bench {
+
+// Somebody who can trace. It gets rays in the shape that it likes best before the clock starts, and tells its answers
+// after it has stopped.
+class Rival {
+public:
+    virtual ~Rival() = default;
+
+    virtual void load(std::span<const Ray> rays) = 0;
+    virtual void traceClosest() = 0;
+    virtual void traceOccluded() = 0;
+
+    [[nodiscard]] virtual float distance(std::size_t ray) const = 0; // of the closest hit, infinity if none
+    [[nodiscard]] virtual bool isOccluded(std::size_t ray) const = 0;
+
+    std::string name;
+    double buildSeconds = 0.0;
+    std::size_t numBytes = 0; // 0: unknown
+};
+
+using Rivals = std::vector<std::unique_ptr<Rival>>;
+
+// Each adds what it has.
+void addWide(std::span<const Triangle> triangles, Rivals& rivals); // ours, at each instruction level
+void addBinary(std::span<const Triangle> triangles, Rivals& rivals); // one box after the other
+void addEmbree(std::span<const Triangle> triangles, Rivals& rivals); // if it was there when this was built
+
+}
