@@ -1,15 +1,12 @@
 // ./raywork bench: measures the library against others.
+#include "app/run_command.h"
 #include "bench/report.h"
 #include "bench/watertight.h"
 #include "files/error.h"
-#include <CLI/CLI.hpp>
-#include <fmt/core.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace {
-
-enum ExitCode { Success = 0, BadInput = 2 };
 
 struct Options {
     std::vector<std::string> meshes, scenes;
@@ -92,19 +89,11 @@ int main(int argc, char** argv)
     CLI::App cli { "Measures the library against others.", "./raywork bench" };
     Options options;
     declare(cli, options);
-    try {
-        cli.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return cli.exit(error) == 0 ? Success : BadInput;
-    }
-    try {
+    return app::runCommand(cli, argc, argv, [&] {
         if (cli.got_subcommand("watertight"))
             bench::measureLeaks(options.numLeakRays);
         else
             measureTraversal(options);
-        return Success;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return BadInput;
-    }
+        return app::Success;
+    });
 }
