@@ -25,13 +25,13 @@ void Application::frame(Window& window)
     m_last = glm::max(glm::vec2(window.size()) - glm::vec2(0.0f, ProfilerStrip::height()), m_first + 16.0f);
     if (const auto dropped = window.takeDropped())
         open(*dropped);
-    control();
+    control(window.takeKeys());
     sidePanel();
     m_profiler.show(m_picture, { 0.0f, m_last.y }, window.size());
     helpPanel(m_showsHelp);
     if (const auto& ray = m_ray.followed()) {
         m_textureSpace.show(*ray, m_document.scene());
-        samplesPanel(*ray, m_document.settings.config.features);
+        samplesPanel(*ray, m_document.settings.config.features, m_last);
     }
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         m_document.remember();
@@ -165,7 +165,7 @@ void Application::open(const fs::path& path)
 }
 
 // The keys and the mouse, where no panel wants them.
-void Application::control()
+void Application::control(const std::vector<std::string>& keys)
 {
     const ImGuiIO& io = ImGui::GetIO();
     m_lightHandles.control(m_document.settings.lights, view().camera, m_first, m_last);
@@ -173,22 +173,25 @@ void Application::control()
         m_ray.control(view().camera, m_first, m_last);
     if (!io.WantCaptureMouse)
         orbit();
-    if (io.WantTextInput)
-        return;
-    const auto isPressed = [](char key) { return ImGui::IsKeyPressed(key, false); };
-    if (io.KeyCtrl && isPressed('Z'))
+    if (!io.WantTextInput)
+        std::ranges::for_each(keys, [&](const std::string& key) { press(key); });
+}
+
+void Application::press(const std::string& key)
+{
+    if (key == "ctrl+z")
         m_document.undo();
-    if (io.KeyCtrl && isPressed('Y'))
+    else if (key == "ctrl+y")
         m_document.redo();
-    if (!io.KeyCtrl && isPressed('R'))
+    else if (key == "r")
         followRay();
-    if (!io.KeyCtrl && isPressed('T'))
+    else if (key == "t")
         setRasterised(!m_isRasterised);
-    if (!io.KeyCtrl && isPressed('F'))
+    else if (key == "f")
         showQuantity(debug::nextOf(m_quantity));
-    if (isPressed('/') && io.KeyShift)
+    else if (key == "?")
         m_showsHelp = !m_showsHelp;
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+    else if (key == "escape")
         m_ray.forget();
 }
 

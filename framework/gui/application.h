@@ -39,7 +39,8 @@ public:
 private:
     void sidePanel();
     void status();
-    void control();
+    void control(const std::vector<std::string>& keys);
+    void press(const std::string& key);
     void orbit();
     void followRay();
     void showView();

@@ -57,15 +57,15 @@ namespace {
 
 }
 
-void samplesPanel(const worker::DebugRay& ray, const Features& features)
+void samplesPanel(const worker::DebugRay& ray, const Features& features, glm::vec2 corner)
 {
     if (ray.samples.empty())
         return;
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({ window.x - 10.0f, window.y - 10.0f }, ImGuiCond_FirstUseEver, { 1.0f, 1.0f });
+    ImGui::SetNextWindowPos({ corner.x - 10.0f, corner.y - 10.0f }, ImGuiCond_FirstUseEver, { 1.0f, 1.0f });
     if (ImGui::Begin("pixel", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         const auto numOutside = std::ranges::count_if(ray.samples, std::not_fn(isInPixel));
-        ImGui::Text("%d, %d: %zu samples", ray.pixel.x, ray.pixel.y, ray.samples.size());
+        ImGui::Text("%d, %d: %zu %s", ray.pixel.x, ray.pixel.y, ray.samples.size(),
+            ray.samples.size() == 1 ? "sample" : "samples");
         if (numOutside > 0)
             ImGui::TextColored(ImColor(outside), "%td of them outside", numOutside);
         ImGui::Spacing();

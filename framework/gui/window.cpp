@@ -19,10 +19,31 @@ namespace {
         return text ? text : "no reason is given";
     }
 
+    Events& eventsOf(GLFWwindow* window)
+    {
+        return *static_cast<Events*>(glfwGetWindowUserPointer(window));
+    }
+
     void onDrop(GLFWwindow* window, int count, const char** paths)
     {
         if (count > 0)
-            *static_cast<std::optional<std::filesystem::path>*>(glfwGetWindowUserPointer(window)) = paths[count - 1];
+            eventsOf(window).dropped = paths[count - 1];
+    }
+
+    void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers)
+    {
+        if (action != GLFW_PRESS) // one that is held is pressed once
+            return;
+        const char* const name = key == GLFW_KEY_ESCAPE ? "escape" : glfwGetKeyName(key, scancode);
+        if (name)
+            eventsOf(window).keys.push_back((modifiers & GLFW_MOD_CONTROL ? "ctrl+" : "") + std::string(name));
+    }
+
+    // A sign is made by different keys on different keyboards.
+    void onCharacter(GLFWwindow* window, unsigned character)
+    {
+        if (character == '?')
+            eventsOf(window).keys.emplace_back("?");
     }
 
     // So that text is read as easily on a dense screen.
@@ -54,8 +75,10 @@ Window::Window(const std::string& title, glm::ivec2 size)
     }
     glfwMakeContextCurrent(m_window);
     glfwSwapInterval(1);
-    glfwSetWindowUserPointer(m_window, &m_dropped);
+    glfwSetWindowUserPointer(m_window, &m_events);
     glfwSetDropCallback(m_window, onDrop);
+    glfwSetKeyCallback(m_window, onKey); // ImGui, which comes later, calls these two as well
+    glfwSetCharCallback(m_window, onCharacter);
     ImGui::CreateContext();
     ImGui_ImplGlfw_InitForOpenGL(m_window, true);
     ImGui_ImplOpenGL3_Init("#version 330");
@@ -107,7 +130,12 @@ void Window::showFrame()
 
 std::optional<std::filesystem::path> Window::takeDropped()
 {
-    return std::exchange(m_dropped, std::nullopt);
+    return std::exchange(m_events.dropped, std::nullopt);
+}
+
+std::vector<std::string> Window::takeKeys()
+{
+    return std::exchange(m_events.keys, {});
 }
 
 glm::ivec2 Window::size() const

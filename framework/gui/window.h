@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -13,6 +14,12 @@ namespace gui {
 class NoWindow : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
+};
+
+// What happened to a window and nobody has asked for yet.
+struct Events {
+    std::optional<std::filesystem::path> dropped;
+    std::vector<std::string> keys;
 };
 
 // A window with an OpenGL 3.3 context and Dear ImGui in it. One at a time.
@@ -34,13 +41,17 @@ public:
     // The file that was dropped on it last, once.
     [[nodiscard]] std::optional<std::filesystem::path> takeDropped();
 
+    // The keys that were pressed since the last call, be they let go again or not: by what is on them on this keyboard,
+    // "ctrl+" before it if that was held, "escape", and "?" wherever that is.
+    [[nodiscard]] std::vector<std::string> takeKeys();
+
     [[nodiscard]] glm::ivec2 size() const; // of what can be drawn on, in pixels
     [[nodiscard]] GLFWwindow* handle() const { return m_window; }
 
 private:
     GLFWwindow* m_window = nullptr;
     double m_lastFrame = 0.0; // when it began, in seconds
-    std::optional<std::filesystem::path> m_dropped;
+    Events m_events;
 };
 
 }

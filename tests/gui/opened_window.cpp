@@ -86,6 +86,11 @@ void OpenedWindow::pressKey(const std::string& key)
     drawUntil([&] { return !isAnyDown(); });
 }
 
+void OpenedWindow::tapKey(const std::string& key)
+{
+    send("key " + key);
+}
+
 // By the window's own callback, which nobody but GLFW is given otherwise.
 void OpenedWindow::drop(const std::filesystem::path& file)
 {

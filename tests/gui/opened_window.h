@@ -22,6 +22,7 @@ public:
     void moveMouse(glm::ivec2 position);
     void dragMouse(glm::ivec2 from, glm::ivec2 to, int button = 1);
     void pressKey(const std::string& key);
+    void tapKey(const std::string& key); // down and up between two frames
 
     void drop(const std::filesystem::path& file);
 

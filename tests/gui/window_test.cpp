@@ -98,6 +98,18 @@ TEST_CASE("R follows the ray under the mouse, and Escape forgets it", "[window]"
     CHECK_FALSE(window.application.ray().isShowing());
 }
 
+TEST_CASE("A key that is let go before the next frame is heard", "[window]")
+{
+    OpenedWindow window { cornell, reference };
+    window.drawUntilTraced();
+    const Features before = featuresOf(window);
+    window.showOnly("features");
+    window.activate("shading");
+    REQUIRE(featuresOf(window).enableShading != before.enableShading);
+    window.tapKey("ctrl+z");
+    window.drawUntil([&] { return featuresOf(window).enableShading == before.enableShading; });
+}
+
 TEST_CASE("Each quantity can be chosen by its name, by F, and colours come back as they were", "[window]")
 {
     OpenedWindow window { cornell, reference };
