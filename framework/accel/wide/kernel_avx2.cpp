@@ -1,11 +1,11 @@
 #ifdef __x86_64__
-#include "accel/wide/simd_avx2.h"
+#include "accel/wide/simd_eights.h"
 #include "accel/wide/traverse.h"
 
 namespace accel::wide {
 
 extern const Kernel avx2Kernel;
-const Kernel avx2Kernel = Traversal<Avx2>::kernel("x86-64-v3");
+const Kernel avx2Kernel = Traversal<Eights<false>>::kernel("x86-64-v3");
 
 }
 #endif

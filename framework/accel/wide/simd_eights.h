@@ -4,8 +4,9 @@
 
 namespace accel::wide {
 
-// Eight floats in one register. min and max return the second operand if one is not a number.
-struct Avx2 {
+// Eight floats in one register, or in half of one with AVX-512, whose comparisons give masks by themselves: nodes and
+// blocks have no more. min and max return the second operand if one is not a number.
+template <bool hasMasks> struct Eights {
     using Floats = __m256; // the compiler knows + - * /
 
     static Floats load(const float* p) { return _mm256_load_ps(p); }
@@ -19,8 +20,8 @@ struct Avx2 {
     static Floats max(Floats a, Floats b) { return _mm256_max_ps(a, b); }
 
     // A bit for each place, the first the lowest.
-    static unsigned lessEqual(Floats a, Floats b) { return bits(_mm256_cmp_ps(a, b, _CMP_LE_OQ)); }
-    static unsigned less(Floats a, Floats b) { return bits(_mm256_cmp_ps(a, b, _CMP_LT_OQ)); }
+    static unsigned lessEqual(Floats a, Floats b) { return compare<_CMP_LE_OQ>(a, b); }
+    static unsigned less(Floats a, Floats b) { return compare<_CMP_LT_OQ>(a, b); }
 
     // A bit for each of four.
     static unsigned signs(__m128 a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
@@ -29,6 +30,14 @@ struct Avx2 {
     static unsigned topBits(const uint32_t* p) { return bits(load(reinterpret_cast<const float*>(p))); }
 
 private:
+    template <int predicate> static unsigned compare(Floats a, Floats b)
+    {
+        if constexpr (hasMasks)
+            return _mm256_cmp_ps_mask(a, b, predicate);
+        else
+            return bits(_mm256_cmp_ps(a, b, predicate));
+    }
+
     static unsigned bits(Floats mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask)); }
 };
 
