@@ -5,7 +5,6 @@
 #include "gui/window.h"
 #include "submission/named_folder.h"
 #include "submission/paths.h"
-#include <imgui.h>
 
 namespace {
 
@@ -18,9 +17,7 @@ struct Options {
 
 void show(const Options& options)
 {
-    const std::string layout = gui::layoutFile();
-    gui::Window window { "Raywork", { 1280, 720 } };
-    ImGui::GetIO().IniFilename = layout.empty() ? nullptr : layout.c_str();
+    gui::Window window { "Raywork", { 1280, 720 }, gui::layoutFile() };
     gui::Application application { options.scene, submission::namedFolder(options.with) };
     while (!window.shouldClose()) {
         window.beginFrame();

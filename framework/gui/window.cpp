@@ -59,7 +59,8 @@ namespace {
 
 }
 
-Window::Window(const std::string& title, glm::ivec2 size)
+Window::Window(const std::string& title, glm::ivec2 size, std::string layout)
+    : m_layout(std::move(layout))
 {
     if (!glfwInit())
         throw NoWindow("there is no window system to open a window on: " + lastError());
@@ -80,6 +81,7 @@ Window::Window(const std::string& title, glm::ivec2 size)
     glfwSetKeyCallback(m_window, onKey); // ImGui, which comes later, calls these two as well
     glfwSetCharCallback(m_window, onCharacter);
     ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = m_layout.empty() ? nullptr : m_layout.c_str();
     ImGui_ImplGlfw_InitForOpenGL(m_window, true);
     ImGui_ImplOpenGL3_Init("#version 330");
     scaleTo(m_window);

@@ -25,8 +25,9 @@ struct Events {
 // A window with an OpenGL 3.3 context and Dear ImGui in it. One at a time.
 class Window {
 public:
-    // The size is of an ordinary screen: on a denser one it has more pixels. Throws NoWindow.
-    Window(const std::string& title, glm::ivec2 size);
+    // The size is of an ordinary screen: on a denser one it has more pixels. The layout is the file where the places
+    // and sizes of panels are remembered, if there is one. Throws NoWindow.
+    Window(const std::string& title, glm::ivec2 size, std::string layout = "");
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] GLFWwindow* handle() const { return m_window; }
 
 private:
+    std::string m_layout;
     GLFWwindow* m_window = nullptr;
     double m_lastFrame = 0.0; // when it began, in seconds
     Events m_events;

@@ -12,12 +12,12 @@
 
 namespace tests {
 
-OpenedWindow::OpenedWindow(const std::filesystem::path& scene, const std::filesystem::path& submission, int density)
+OpenedWindow::OpenedWindow(
+    const std::filesystem::path& scene, const std::filesystem::path& submission, int density, const std::string& layout)
     : m_screen(density)
-    , m_window("test", { 1280, 720 })
+    , m_window("test", { 1280, 720 }, layout)
     , application(scene, submission)
 {
-    ImGui::GetIO().IniFilename = nullptr; // no test sees another's layout
     moveMouse({ 1, 1 });
 }
 

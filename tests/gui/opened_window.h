@@ -10,8 +10,10 @@ namespace tests {
 // The window that a student opens, on a screen of its own.
 class OpenedWindow {
 public:
-    // Density: pixels for one of an ordinary screen.
-    OpenedWindow(const std::filesystem::path& scene, const std::filesystem::path& submission, int density = 1);
+    // Density: pixels for one of an ordinary screen. Layout: the file that remembers it; usually none, so that no test
+    // sees another's.
+    OpenedWindow(const std::filesystem::path& scene, const std::filesystem::path& submission, int density = 1,
+        const std::string& layout = "");
 
     // Draws frames until it is so; fails the test if that takes longer than anything should.
     void drawUntil(const std::function<bool()>& isSo);

@@ -1,10 +1,12 @@
 #include "changed_reference.h"
 #include "files/feature_settings.h"
 #include "files/picture.h"
+#include "gui/layout_file.h"
 #include "opened_window.h"
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <glm/gtx/component_wise.hpp>
+#include <imgui_internal.h>
 
 // The real window, on a real screen that nobody sees.
 
@@ -108,6 +110,28 @@ TEST_CASE("A key that is let go before the next frame is heard", "[window]")
     REQUIRE(featuresOf(window).enableShading != before.enableShading);
     window.tapKey("ctrl+z");
     window.drawUntil([&] { return featuresOf(window).enableShading == before.enableShading; });
+}
+
+TEST_CASE("A panel that is moved stands there the next time, too", "[window]")
+{
+    const files_test::TemporaryFolder settings;
+    setenv("XDG_CONFIG_HOME", (settings / "").c_str(), 1);
+    const std::string layout = gui::layoutFile();
+    unsetenv("XDG_CONFIG_HOME");
+    const auto placeOfHelp = [](OpenedWindow& window) {
+        window.pressKey("question");
+        window.drawFrames(2);
+        const ImVec2 place = ImGui::FindWindowByName("help")->Pos;
+        return glm::ivec2(place.x, place.y);
+    };
+    glm::ivec2 before, moved { 130, 70 };
+    {
+        OpenedWindow window { cornell, reference, 1, layout };
+        before = placeOfHelp(window);
+        window.dragMouse(before + 8, before + 8 + moved);
+    }
+    OpenedWindow again { cornell, reference, 1, layout };
+    CHECK(placeOfHelp(again) == before + moved);
 }
 
 TEST_CASE("Each quantity can be chosen by its name, by F, and colours come back as they were", "[window]")
