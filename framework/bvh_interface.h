@@ -8,6 +8,7 @@
 
 namespace accel {
 class WideTree;
+class TreeOnDemand;
 }
 
 // A binary tree of boxes over the scene's triangles. Node 0 is the root.

@@ -1,0 +1,21 @@
+#include "accel/wide/tree_on_demand.h"
+#include <tbb/task_arena.h>
+
+namespace accel {
+
+const WideTree* TreeOnDemand::build(std::span<const BVHInterface::Primitive> primitives)
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_tree) {
+        std::vector<WideTree::Triangle> triangles;
+        triangles.reserve(primitives.size());
+        for (const auto& [meshID, v0, v1, v2] : primitives)
+            triangles.push_back({ v0.position, v1.position, v2.position });
+        // Isolated: a thread that waits for its part of the building must not take up a pixel, which would ask again.
+        tbb::this_task_arena::isolate([&] { m_tree = std::make_unique<const WideTree>(triangles); });
+        m_built.store(m_tree.get(), std::memory_order_release);
+    }
+    return m_tree.get();
+}
+
+}
