@@ -23,6 +23,7 @@ namespace {
             , features { .extra = { .enableBvhSahBinning = request.enableBvhSahBinning } }
             , bvh(scene, features)
         {
+            (void)bvh.wideTree(); // built now: a change of a setting must not wait for it
         }
 
         Scene scene;
