@@ -6,8 +6,8 @@
 namespace accel::wide {
 
 struct WideNodes {
-    std::vector<Node> nodes; // the root first
-    std::vector<Block> blocks;
+    std::vector<Node, LargePages<Node>> nodes; // the root first
+    std::vector<Block, LargePages<Block>> blocks;
 };
 
 // Makes the wide tree that the binary tree's costs speak for.

@@ -1,6 +1,7 @@
 #pragma once
 #include "accel/wide/box.h"
 #include "accel/wide/kernels.h"
+#include "accel/wide/large_pages.h"
 #include <framework/ray.h>
 #include <optional>
 #include <span>
@@ -42,8 +43,8 @@ public:
     [[nodiscard]] std::size_t numBytes() const;
 
 private:
-    std::vector<wide::Node> m_nodes;
-    std::vector<wide::Block> m_blocks;
+    std::vector<wide::Node, wide::LargePages<wide::Node>> m_nodes;
+    std::vector<wide::Block, wide::LargePages<wide::Block>> m_blocks;
     wide::View m_view {};
     const wide::Kernel& m_kernel = wide::bestKernel();
 };
