@@ -16,7 +16,7 @@ namespace {
     constexpr uint32_t parallelSize = 2048; // references that are worth a task of their own
     constexpr float roomForCuts = 0.25f; // references more than triangles, at most
     // How much of the root's and of the node's surface must lie in both halves before it pays to look for a cut.
-    constexpr float overlapOfRoot = 1e-5f, overlapOfNode = 0.1f;
+    constexpr float overlapOfRoot = 1e-5f, overlapOfNode = 0.2f;
 
     // A place in the array of references: some in use, then room for parts of those that are cut.
     struct Range {

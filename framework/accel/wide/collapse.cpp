@@ -32,7 +32,7 @@ namespace {
         std::size_t count = 0;
     };
 
-    constexpr uint32_t fewReferences = 5 * width; // are tested faster than boxes around them
+    constexpr uint32_t fewReferences = 40; // are tested faster than boxes around them
 
     class Collapser {
     public:

@@ -3,7 +3,7 @@
 
 namespace accel::wide {
 
-inline constexpr int width = 8; // children of a node, triangles of a block
+inline constexpr int width = 16; // children of a node, triangles of a block
 
 // A node or, if the highest bit is set, a block of triangles: where it lies in its array, in units of eight bytes,
 // since addresses count in these at no cost.
@@ -11,20 +11,20 @@ using Child = uint32_t;
 inline constexpr Child blockBit = 1u << 31;
 inline constexpr uint64_t childUnit = 8;
 
-// Eight boxes, a cache line for each axis. Unused places hold boxes that no ray enters: from infinity to minus
+// Sixteen boxes, two cache lines for each axis. Unused places hold boxes that no ray enters: from infinity to minus
 // infinity.
 struct alignas(64) Node {
     float bounds[3][2][width]; // axis; lower, upper; child
     Child children[width];
 };
-static_assert(sizeof(Node) == 256);
+static_assert(sizeof(Node) == 448);
 
-// Up to eight triangles. Unused places are NaN, which fails every comparison.
+// Up to sixteen triangles. Unused places are NaN, which fails every comparison.
 struct alignas(64) Block {
     float positions[3][3][width]; // axis, corner, triangle
     uint32_t primitives[width];
 };
-static_assert(sizeof(Block) == 320);
+static_assert(sizeof(Block) == 640);
 
 inline constexpr Child nodeStride = sizeof(Node) / childUnit, blockStride = sizeof(Block) / childUnit;
 

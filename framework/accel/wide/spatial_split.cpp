@@ -1,5 +1,4 @@
 #include "accel/wide/spatial_split.h"
-#include "accel/wide/clip.h"
 #include <algorithm>
 
 namespace accel::wide {
@@ -24,20 +23,16 @@ namespace {
             m_boxes.fill(Box::empty());
         }
 
-        // Cuts the reference at every plane between the bins that it reaches into.
         void add(const Reference& reference, const Triangle& triangle)
         {
             const std::size_t first = binOf(reference.box.lower[m_axis]);
             const std::size_t last = std::max(first, binOf(reference.box.upper[m_axis]));
             ++m_begin[first];
             ++m_end[last];
-            Box rest = reference.box;
-            for (std::size_t bin = first; bin < last; ++bin) {
-                const Halves halves = clip(rest, triangle, m_axis, plane(bin + 1));
-                m_boxes[bin].add(halves.lower);
-                rest = halves.upper;
-            }
-            m_boxes[last].add(rest);
+            if (first == last)
+                m_boxes[first].add(reference.box);
+            else
+                addParts(reference.box, triangle, first, last);
         }
 
         void search(std::size_t numReferences, uint32_t maxCut, SpatialSplit& best) const
@@ -62,6 +57,31 @@ namespace {
         }
 
     private:
+        // What of the triangle lies in each of these bins: its corners, and where its edges cross the planes between.
+        void addParts(const Box& box, const Triangle& triangle, std::size_t first, std::size_t last)
+        {
+            std::array<Box, maxBins> parts;
+            std::fill(parts.begin() + first, parts.begin() + last + 1, Box::empty());
+            const auto partOf = [&](float position) { return std::clamp(binOf(position), first, last); };
+            Float4 from = toFloat4(triangle[2]);
+            std::size_t fromPart = partOf(from[m_axis]);
+            for (const glm::vec3& corner : triangle) {
+                const Float4 to = toFloat4(corner);
+                const std::size_t toPart = partOf(to[m_axis]);
+                parts[toPart].add(to);
+                const Float4 slope = (to - from) / (to[m_axis] - from[m_axis]);
+                for (std::size_t i = std::min(fromPart, toPart); i < std::max(fromPart, toPart); ++i) {
+                    const Float4 point = from + (plane(i + 1) - from[m_axis]) * slope;
+                    parts[i].add(point);
+                    parts[i + 1].add(point);
+                }
+                from = to;
+                fromPart = toPart;
+            }
+            for (std::size_t i = first; i <= last; ++i)
+                m_boxes[i].add(intersect(parts[i], box));
+        }
+
         [[nodiscard]] std::size_t binOf(float position) const
         {
             const float bin = (position - m_origin) / m_size;

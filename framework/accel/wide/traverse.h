@@ -109,7 +109,7 @@ private:
         if (rest == 0)
             return children[first];
 
-        alignas(32) float entries[width];
+        alignas(64) float entries[width];
         Simd::store(entries, entry);
         const int second = __builtin_ctz(rest);
         rest &= rest - 1;

@@ -84,7 +84,7 @@ public:
             findEdgeOn(block, m_ray, edgeOn, closest);
             mask &= ~edgeOn;
         }
-        alignas(32) float ts[width], us[width], vs[width];
+        alignas(64) float ts[width], us[width], vs[width];
         const Floats sum = s.weights[0] + s.weights[1] + s.weights[2];
         Simd::store(ts, t);
         Simd::store(us, s.weights[1] / sum);
@@ -173,7 +173,7 @@ private:
     {
         const TriangleRay self(ray);
         const Sheared s = self.shear(block);
-        alignas(32) float x[3][width], y[3][width], t[width];
+        alignas(64) float x[3][width], y[3][width], t[width];
         for (int corner = 0; corner < 3; ++corner) {
             Simd::store(x[corner], s.x[corner]);
             Simd::store(y[corner], s.y[corner]);
