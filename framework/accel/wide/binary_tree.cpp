@@ -44,31 +44,31 @@ namespace {
         {
         }
 
-        void build(const Subtree& subtree) const
+        CollapseCosts build(const Subtree& subtree) const
         {
             BinaryNode& node = m_tree.nodes[subtree.node];
             node.box = subtree.box;
             node.first = subtree.range.first;
             node.numReferences = subtree.range.count;
             node.children[0] = node.children[1] = 0;
-            if (subtree.range.count > leafSize)
-                buildChildren(node, split(subtree));
-            computeCollapseCost(node, m_tree.nodes.get());
+            return subtree.range.count > leafSize ? buildChildren(node, split(subtree)) : collapseLeaf(node);
         }
 
     private:
-        void buildChildren(BinaryNode& node, const Sides& sides) const
+        CollapseCosts buildChildren(BinaryNode& node, const Sides& sides) const
         {
             node.children[0] = sides.lower.node;
             node.children[1] = sides.upper.node;
-            const auto buildLower = [&] { build(sides.lower); };
-            const auto buildUpper = [&] { build(sides.upper); };
+            CollapseCosts lower, upper;
+            const auto buildLower = [&] { lower = build(sides.lower); };
+            const auto buildUpper = [&] { upper = build(sides.upper); };
             if (node.numReferences >= parallelSize)
                 tbb::parallel_invoke(buildLower, buildUpper);
             else
                 buildLower(), buildUpper();
             node.numReferences = m_tree.nodes[node.children[0]].numReferences // cuts below add to them
                 + m_tree.nodes[node.children[1]].numReferences;
+            return collapseInner(node, lower, upper);
         }
 
         [[nodiscard]] Sides split(const Subtree& subtree) const

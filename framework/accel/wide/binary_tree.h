@@ -6,7 +6,7 @@
 
 namespace accel::wide {
 
-// A node of the binary tree, and how best to make a wide one of what is below it.
+// A node of the binary tree, and how best to make wide ones of what is below it. A cache line.
 struct BinaryNode {
     [[nodiscard]] bool isLeaf() const { return children[0] == 0; }
 
@@ -14,11 +14,10 @@ struct BinaryNode {
     uint32_t children[2]; // both 0: a leaf
     uint32_t first, numReferences; // of a leaf: which; else: how many are below
 
-    // The least cost of the subtree as at most i + 1 boxes of a wide node.
-    float cost[width];
     // As at most i + 1 boxes: how many of them are the first child's; 0: as i boxes; of one box, 0: it is a block.
     uint8_t share[width];
 };
+static_assert(sizeof(BinaryNode) == 64);
 
 struct BinaryTree {
     LargeArray<BinaryNode> nodes; // the root first; not all are in use; none if there is nothing to meet

@@ -1,4 +1,5 @@
 #include "accel/wide/collapse_cost.h"
+#include <algorithm>
 #include <limits>
 
 namespace accel::wide {
@@ -15,40 +16,45 @@ namespace {
     };
 
     // So many boxes, some for either child.
-    Distribution distribute(const BinaryNode& a, const BinaryNode& b, std::size_t numBoxes)
+    Distribution distribute(const CollapseCosts& first, const CollapseCosts& second, std::size_t numBoxes)
     {
         Distribution best { infinity, static_cast<uint8_t>(numBoxes / 2) }; // where areas are too large for a float
         for (std::size_t share = 1; share < numBoxes; ++share)
-            if (const float cost = a.cost[share - 1] + b.cost[numBoxes - share - 1]; cost < best.cost)
+            if (const float cost = first[share - 1] + second[numBoxes - share - 1]; cost < best.cost)
                 best = { cost, static_cast<uint8_t>(share) };
         return best;
     }
 
+    float costOfBlock(const BinaryNode& node)
+    {
+        return node.numReferences <= width ? node.box.halfArea() * blockCost : infinity;
+    }
+
 }
 
-void computeCollapseCost(BinaryNode& node, const BinaryNode* nodes)
+CollapseCosts collapseLeaf(BinaryNode& leaf)
 {
-    const float area = node.box.halfArea();
-    const bool fitsBlock = node.numReferences <= width;
-    node.cost[0] = fitsBlock ? area * blockCost : infinity;
-    node.share[0] = 0;
-    if (node.isLeaf()) {
-        std::fill(std::begin(node.cost), std::end(node.cost), node.cost[0]);
-        std::fill(std::begin(node.share), std::end(node.share), uint8_t { 0 });
-        return;
-    }
-    const BinaryNode &a = nodes[node.children[0]], &b = nodes[node.children[1]];
-    const Distribution asNode = distribute(a, b, width);
-    if (const float cost = area * nodeCost + asNode.cost; !fitsBlock || cost < node.cost[0]) {
-        node.cost[0] = cost;
-        node.share[0] = asNode.share;
-    }
+    std::ranges::fill(leaf.share, uint8_t { 0 });
+    CollapseCosts costs;
+    costs.fill(costOfBlock(leaf));
+    return costs;
+}
+
+CollapseCosts collapseInner(BinaryNode& node, const CollapseCosts& first, const CollapseCosts& second)
+{
+    CollapseCosts costs;
+    const Distribution asNode = distribute(first, second, width);
+    const float nodeAndChildren = node.box.halfArea() * nodeCost + asNode.cost, block = costOfBlock(node);
+    const bool isBlock = node.numReferences <= width && !(nodeAndChildren < block);
+    costs[0] = isBlock ? block : nodeAndChildren;
+    node.share[0] = isBlock ? uint8_t { 0 } : asNode.share;
     for (std::size_t i = 1; i < width; ++i) {
-        const Distribution boxes = i == width - 1 ? asNode : distribute(a, b, i + 1);
-        const bool fewer = node.cost[i - 1] <= boxes.cost;
-        node.cost[i] = fewer ? node.cost[i - 1] : boxes.cost;
+        const Distribution boxes = i == width - 1 ? asNode : distribute(first, second, i + 1);
+        const bool fewer = costs[i - 1] <= boxes.cost;
+        costs[i] = fewer ? costs[i - 1] : boxes.cost;
         node.share[i] = fewer ? uint8_t { 0 } : boxes.share;
     }
+    return costs;
 }
 
 }
