@@ -218,7 +218,7 @@ TEST_CASE("Wide tree, counts the nodes and blocks that a ray is tested against, 
     CHECK(tree.closest(ray, closest).value().t == tree.closest(ray).value().t);
     CHECK(tree.occluded(ray, any));
     for (const accel::wide::Counters& counters : { closest, any }) {
-        CHECK(counters.nodes >= 4); // 8192 triangles do not fit below fewer
+        CHECK(counters.nodes >= 2); // sixteen blocks below one have 256 triangles, not 8192
         CHECK(counters.nodes < 20);
         CHECK(counters.blocks >= 1);
         CHECK(counters.blocks < 20);

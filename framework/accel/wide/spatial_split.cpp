@@ -58,6 +58,7 @@ namespace {
 
     private:
         // What of the triangle lies in each of these bins: its corners, and where its edges cross the planes between.
+        // But for rounding, which an estimate does not mind.
         void addParts(const Box& box, const Triangle& triangle, std::size_t first, std::size_t last)
         {
             std::array<Box, maxBins> parts;
