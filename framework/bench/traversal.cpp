@@ -1,6 +1,6 @@
 #include "bench/traversal.h"
 #include "app/run_command.h"
-#include "bench/report.h"
+#include "bench/compare.h"
 #include "files/error.h"
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,8 @@ namespace {
 
     struct Options {
         std::vector<std::string> meshes, scenes;
-        std::string json;
+        std::string json, compare;
+        double tolerance = 5.0; // percent
         std::size_t numRays = 1 << 17;
         int numRepetitions = 5;
         bool onlyFast = false;
@@ -59,14 +60,29 @@ namespace {
         return rows;
     }
 
+    constexpr int slower = 1; // an exit code
+
+    int compareWith(const std::vector<Row>& then, const std::vector<Row>& now, const Options& options)
+    {
+        const double tolerance = options.tolerance / 100.0;
+        const std::vector<Change> changes = compare(then, now);
+        if (changes.empty())
+            throw files::Error(options.compare, "found no traversal beside Embree's that was measured now, too");
+        print(changes, tolerance);
+        const bool isSlower
+            = std::ranges::any_of(changes, [&](const Change& change) { return isRegression(change, tolerance); });
+        return isSlower ? slower : app::Success;
+    }
+
     int run(const Options& options)
     {
+        const std::vector<Row> then = options.compare.empty() ? std::vector<Row>() : readRows(options.compare);
         const std::vector<Row> rows = measureAll(options);
         const nlohmann::json report { { "rows", toJson(rows) }, { "geomean", geometricMeans(rows) } };
         fmt::print("{}\n", report["geomean"].dump());
         if (!options.json.empty() && !(std::ofstream(options.json) << report.dump(2) << '\n'))
             throw files::Error(options.json, "cannot be written");
-        return app::Success;
+        return options.compare.empty() ? app::Success : compareWith(then, rows, options);
     }
 
 }
@@ -79,11 +95,16 @@ Command declareTraversal(CLI::App& cli)
     command.add_option("--scene", options->scenes, "A scene of the folder scenes, bowl or field; repeatable")
         ->allow_extra_args(false); // what follows are meshes
     command.add_option("--json", options->json, "Write the figures to this file");
+    command.add_option("--compare", options->compare, "Tell what became slower since this file was written by --json");
+    command.add_option("--tolerance", options->tolerance, "Percent that may be lost")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
     command.add_option("--rays", options->numRays, "Rays in a set")->capture_default_str()->check(CLI::PositiveNumber);
     command.add_option("--repetitions", options->numRepetitions, "Times that each ray is traced")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     command.add_flag("--only-fast", options->onlyFast, "Leave out those that take ten times as long");
+    command.footer("Exit codes: 0 done, 1 slower than what it is compared with, 2 bad input.");
     return { &command, [options] { return run(*options); } };
 }
 
