@@ -98,7 +98,7 @@ Command declareTraversal(CLI::App& cli)
     command.add_option("--compare", options->compare, "Tell what became slower since this file was written by --json");
     command.add_option("--tolerance", options->tolerance, "Percent that may be lost")
         ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0.0, 100.0));
     command.add_option("--rays", options->numRays, "Rays in a set")->capture_default_str()->check(CLI::PositiveNumber);
     command.add_option("--repetitions", options->numRepetitions, "Times that each ray is traced")
         ->capture_default_str()
