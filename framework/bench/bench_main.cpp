@@ -1,5 +1,6 @@
-// ./raywork bench: measures the library against others.
+// ./raywork bench: measures how fast things are.
 #include "app/run_command.h"
+#include "bench/grade.h"
 #include "bench/kernels.h"
 #include "bench/traversal.h"
 #include "bench/watertight.h"
@@ -7,10 +8,10 @@
 
 int main(int argc, char** argv)
 {
-    CLI::App cli { "Measures the library against others.", "./raywork bench" };
+    CLI::App cli { "Measures how fast the library is, and a grading.", "./raywork bench" };
     cli.require_subcommand(1);
-    const bench::Command commands[]
-        = { bench::declareTraversal(cli), bench::declareWatertight(cli), bench::declareKernels(cli) };
+    const bench::Command commands[] = { bench::declareTraversal(cli), bench::declareWatertight(cli),
+        bench::declareKernels(cli), bench::declareGrade(cli) };
     return app::runCommand(cli, argc, argv, [&] {
         return std::ranges::find_if(commands, [](const bench::Command& command) {
             return command.cli->parsed();

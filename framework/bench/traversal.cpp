@@ -2,7 +2,7 @@
 #include "app/run_command.h"
 #include "bench/compare.h"
 #include "files/error.h"
-#include <fstream>
+#include "files/text.h"
 #include <nlohmann/json.hpp>
 
 namespace bench {
@@ -80,8 +80,8 @@ namespace {
         const std::vector<Row> rows = measureAll(options);
         const nlohmann::json report { { "rows", toJson(rows) }, { "geomean", geometricMeans(rows) } };
         fmt::print("{}\n", report["geomean"].dump());
-        if (!options.json.empty() && !(std::ofstream(options.json) << report.dump(2) << '\n'))
-            throw files::Error(options.json, "cannot be written");
+        if (!options.json.empty())
+            files::writeText(options.json, report.dump(2) + "\n");
         return options.compare.empty() ? app::Success : compareWith(then, rows, options);
     }
 
