@@ -8,6 +8,7 @@
 #include "grading/scene_folders.h"
 #include "submission/digest.h"
 #include "submission/submission.h"
+#include "values/stopwatch.h"
 #include <algorithm>
 #include <deque>
 #include <fmt/format.h>
@@ -141,8 +142,10 @@ namespace {
 
     struct Question {
         const Check& check;
-        FeatureGrader& feature;
-        Row row;
+        const Feature& feature;
+        FeatureGrader& grader;
+        Row row {};
+        double seconds = 0.0;
     };
 
     std::vector<const Feature*> wantedFeatures(const std::string& only)
@@ -187,15 +190,41 @@ namespace {
         return observations;
     }
 
+    // Side by side.
+    void askAll(std::vector<Question>& questions, const std::function<void(const Row&)>& onRow)
+    {
+        tbb::parallel_for_each(questions, [&](Question& question) {
+            const values::Stopwatch watch;
+            question.row = question.grader.grade(question.check);
+            question.seconds = watch.seconds();
+            if (onRow)
+                onRow(question.row);
+        });
+    }
+
+    std::map<std::string, Times::OfFile> timesOfFiles(
+        const submission::Submission& submission, const std::vector<Question>& questions)
+    {
+        std::map<std::string, Times::OfFile> files;
+        for (const Question& question : questions) {
+            const std::string& name = question.feature.file;
+            Times::OfFile& file = files[name];
+            file.compiling = submission.compileSeconds(name);
+            file.linking = submission.featureWorker(name).seconds;
+            file.asking += question.seconds;
+        }
+        return files;
+    }
+
 }
 
-std::vector<Row> grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow,
-    const std::function<void(std::vector<Observation>)>& onObservations)
+Outcome grade(const Assignment& assignment, const std::function<void(const Row&)>& onRow)
 {
     const std::vector<const Feature*> wanted = wantedFeatures(assignment.onlyFeature);
     Grading grading { assignment, submission::Submission(assignment.submission), RowStore(assignment.knownRows),
         digestOfJudge(*assignment.expected) };
-    grading.submission.buildFeatureWorkers(filesOf(wanted));
+    Outcome outcome;
+    outcome.times.building = values::secondsOf([&] { grading.submission.buildFeatureWorkers(filesOf(wanted)); });
 
     std::deque<FeatureGrader> features;
     std::vector<Question> questions;
@@ -203,19 +232,16 @@ std::vector<Row> grade(const Assignment& assignment, const std::function<void(co
         FeatureGrader& grader = features.emplace_back(grading, *feature);
         for (const Check& check : Check::all())
             if (check.feature == feature->name)
-                questions.push_back({ check, grader, {} });
+                questions.push_back({ check, *feature, grader });
     }
-    tbb::parallel_for_each(questions, [&](Question& question) {
-        question.row = question.feature.grade(question.check);
-        if (onRow)
-            onRow(question.row);
-    });
-    std::vector<Row> rows;
+    outcome.times.asking = values::secondsOf([&] { askAll(questions, onRow); });
+    outcome.times.files = timesOfFiles(grading.submission, questions);
     for (Question& question : questions)
-        rows.push_back(std::move(question.row));
-    if (onObservations)
-        onObservations(observeAll(grading, wanted, features, rows));
-    return rows;
+        outcome.rows.push_back(std::move(question.row));
+    if (assignment.wantsObservations)
+        outcome.times.drawing
+            = values::secondsOf([&] { outcome.observations = observeAll(grading, wanted, features, outcome.rows); });
+    return outcome;
 }
 
 }

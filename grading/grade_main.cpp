@@ -9,6 +9,7 @@
 #include "grading/supervisor.h"
 #include "grading/watch.h"
 #include "sandbox/bubblewrap.h"
+#include "submission/cache.h"
 #include "submission/paths.h"
 #include <fmt/core.h>
 #include <unistd.h>
@@ -35,12 +36,16 @@ void showProgress(std::string_view what)
         fmt::print(stderr, "\r\033[K{}", what);
 }
 
+std::filesystem::path keptFolder()
+{
+    return submission::keptFolder() / "grading";
+}
+
 std::shared_ptr<grading::ExpectedAnswers> expectedAnswers(const Options& options)
 {
     if (!options.golden.empty())
         return std::make_shared<grading::GoldenFile>(options.golden);
-    const auto folder = std::filesystem::path(submission::buildDirectory) / "grading";
-    return std::make_shared<grading::LiveReference>(options.referenceWorker, folder / "answers");
+    return std::make_shared<grading::LiveReference>(options.referenceWorker, keptFolder() / "answers");
 }
 
 grading::Assignment assignmentOf(const Options& options)
@@ -49,10 +54,10 @@ grading::Assignment assignmentOf(const Options& options)
         ? grading::Secret(options.seed)
         : grading::Secret(std::filesystem::path(options.secretFile));
     grading::Assignment assignment { options.submission, expectedAnswers(options), options.onlyFeature, secret };
-    const auto folder = std::filesystem::path(submission::buildDirectory) / "grading";
+    assignment.wantsObservations = true;
     if (!options.isFresh) {
-        assignment.knownRows = folder / "rows";
-        assignment.knownDrawings = folder / "drawings";
+        assignment.knownRows = keptFolder() / "rows";
+        assignment.knownDrawings = keptFolder() / "drawings";
     }
     return assignment;
 }
@@ -65,12 +70,12 @@ void gradeOnce(const Options& options)
         showProgress(row.name);
         growing.add(row);
     };
-    std::vector<grading::Observation> observations;
-    auto rows = grading::grade(
-        assignmentOf(options), onRow, [&](std::vector<grading::Observation> all) { observations = std::move(all); });
-    const grading::Grade grade = growing.complete(std::move(rows), std::move(observations));
+    grading::Outcome outcome = grading::grade(assignmentOf(options), onRow);
+    const grading::Grade grade = growing.complete(std::move(outcome.rows), std::move(outcome.observations));
     showProgress("");
     grading::writeOutputs(options.outputs, grade);
+    if (!options.times.empty())
+        grading::writeTimes(options.times, outcome.times);
     grading::printTable(grade, isatty(STDOUT_FILENO) != 0);
 }
 
@@ -84,11 +89,9 @@ void record(const Options& options)
     assignment.knownRows.clear(); // a row that is known asks nothing
     assignment.knownDrawings.clear();
     showProgress("compiling");
-    const auto rows = grading::grade(
-        assignment, [](const grading::Row& row) { showProgress(row.name); },
-        [](const auto&) {}); // who asks for what is drawn has it recorded
+    const auto outcome = grading::grade(assignment, [](const grading::Row& row) { showProgress(row.name); });
     showProgress("");
-    for (const grading::Row& row : rows)
+    for (const grading::Row& row : outcome.rows)
         if (row.status != grading::Status::Passed)
             throw std::runtime_error(fmt::format("the reference fails {}: {}", row.name, row.message));
     recorder->write(options.record);

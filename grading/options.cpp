@@ -76,6 +76,7 @@ std::optional<int> parse(int argc, char** argv, Options& options)
     cli.add_flag("--fresh", options.isFresh, "Repeat also the checks that see nothing changed since the last time");
     cli.add_flag("--watch", options.isWatching, "Grade again after each change of a file, until interrupted");
     declareOutputs(cli, options.outputs);
+    cli.add_option("--times", options.times, "Write the seconds that each part of the grading took to this file");
     const CLI::Option* const mutants = declareValidation(cli, options.validation);
     cli.callback([&options, mutants] {
         options.validation.seed = options.seed;

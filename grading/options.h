@@ -16,6 +16,7 @@ struct Options {
     std::string sandbox = "auto"; // or "required" or "off"
     std::string referenceWorker; // program
     std::string golden; // file; empty: the reference's worker answers
+    std::string times; // file to write to; empty: nowhere
     std::string record; // file to write the reference's answers to; empty: grade
     bool isFresh = false;
     bool isWatching = false;

@@ -11,7 +11,7 @@ namespace {
     // By kind of rays, the logarithms of a model's ratios to the fastest of these rivals.
     using Logarithms = std::map<std::string, std::map<std::string, double>>;
 
-    nlohmann::json meansAgainst(const std::vector<Row>& rows, const std::vector<std::string>& rivals)
+    nlohmann::json meansAgainst(const std::vector<Row>& rows, std::span<const std::string_view> rivals)
     {
         Logarithms least;
         for (const Row& row : rows) {
@@ -28,6 +28,18 @@ namespace {
             means[rays] = std::exp(sum / static_cast<double>(models.size()));
         }
         return means;
+    }
+
+    template <typename Value> Value valueOf(const nlohmann::json& row, const char* name)
+    {
+        constexpr bool isText = std::is_same_v<Value, std::string>;
+        const auto place = row.find(name); // the end if it is no object
+        if (place == row.end())
+            throw std::invalid_argument(fmt::format("found a row whose {} is missing", name));
+        if (!(isText ? place->is_string() : place->is_number()))
+            throw std::invalid_argument(fmt::format(
+                "found a row whose {} is a {}, not a {}", name, place->type_name(), isText ? "string" : "number"));
+        return place->get<Value>();
     }
 
 }
@@ -55,8 +67,9 @@ std::vector<Row> makeRows(const Model& model, const RaySet& set, const Rivals& r
 
 nlohmann::json geometricMeans(const std::vector<Row>& rows)
 {
-    return { { "embree_best", meansAgainst(rows, { "Embree default", "Embree high" }) },
-        { "embree_robust", meansAgainst(rows, { "Embree robust" }) }, { "binary", meansAgainst(rows, { "binary" }) } };
+    constexpr std::string_view robust[] = { "Embree robust" }, binary[] = { "binary" };
+    return { { "embree_best", meansAgainst(rows, bestOfEmbree) }, { "embree_robust", meansAgainst(rows, robust) },
+        { "binary", meansAgainst(rows, binary) } };
 }
 
 nlohmann::json toJson(const std::vector<Row>& rows)
@@ -67,6 +80,20 @@ nlohmann::json toJson(const std::vector<Row>& rows)
             { "mrays_per_second", row.megaraysPerSecond }, { "ratio", row.ratio }, { "least_ratio", row.leastRatio },
             { "most_ratio", row.mostRatio }, { "build_seconds", row.buildSeconds },
             { "bytes_per_triangle", row.bytesPerTriangle }, { "disagreeing", row.numDisagreeing } });
+    return result;
+}
+
+std::vector<Row> fromJson(const nlohmann::json& rows)
+{
+    if (!rows.is_array())
+        throw std::invalid_argument("found rows that are no array");
+    std::vector<Row> result;
+    for (const nlohmann::json& row : rows)
+        result.push_back({ valueOf<std::string>(row, "model"), valueOf<std::string>(row, "rays"),
+            valueOf<std::string>(row, "rival"), valueOf<double>(row, "mrays_per_second"), valueOf<double>(row, "ratio"),
+            valueOf<double>(row, "least_ratio"), valueOf<double>(row, "most_ratio"),
+            valueOf<double>(row, "build_seconds"), valueOf<double>(row, "bytes_per_triangle"),
+            valueOf<std::size_t>(row, "disagreeing") });
     return result;
 }
 

@@ -1,4 +1,5 @@
 #include "bench/watertight.h"
+#include "app/run_command.h"
 #include "bench/closed_mesh.h"
 #include "bench/rival.h"
 #include "sampler.h"
@@ -47,31 +48,44 @@ namespace {
             (i % 2 == 0 ? leaks.corners : leaks.edges) += !std::isfinite(rival.distance(i));
     }
 
-}
-
-void measureLeaks(std::size_t numRays)
-{
-    const std::size_t numChunks = numRays / (numMeshes * chunkSize) + 1;
-    std::map<std::string, Leaks> leaks;
-    Sampler sampler(1);
-    for (const float scale : scales) {
-        for (const float distance : distances) {
-            const glm::vec3 middle = distance * glm::vec3(0.3f, -0.5f, 0.8f);
-            ClosedMesh mesh(6);
-            mesh.move(scale, middle);
-            Rivals rivals;
-            addWide(mesh.triangles, rivals);
-            addEmbree(mesh.triangles, rivals);
-            for (std::size_t chunk = 0; chunk < numChunks; ++chunk) {
-                const std::vector<Ray> rays = makeRays(mesh, scale, middle, sampler);
-                for (const auto& rival : rivals)
-                    countLeaks(*rival, rays, leaks[rival->name]);
+    void measureLeaks(std::size_t numRays)
+    {
+        const std::size_t numChunks = numRays / (numMeshes * chunkSize) + 1;
+        std::map<std::string, Leaks> leaks;
+        Sampler sampler(1);
+        for (const float scale : scales) {
+            for (const float distance : distances) {
+                const glm::vec3 middle = distance * glm::vec3(0.3f, -0.5f, 0.8f);
+                ClosedMesh mesh(6);
+                mesh.move(scale, middle);
+                Rivals rivals;
+                addWide(mesh.triangles, rivals);
+                addEmbree(mesh.triangles, rivals);
+                for (std::size_t chunk = 0; chunk < numChunks; ++chunk) {
+                    const std::vector<Ray> rays = makeRays(mesh, scale, middle, sampler);
+                    for (const auto& rival : rivals)
+                        countLeaks(*rival, rays, leaks[rival->name]);
+                }
             }
         }
+        fmt::print("of {} rays from inside, so many left:\n", numChunks * numMeshes * chunkSize);
+        for (const auto& [name, count] : leaks)
+            fmt::print("{:<15} {:>9} at corners {:>9} at edges\n", name, count.corners, count.edges);
     }
-    fmt::print("of {} rays from inside, so many left:\n", numChunks * numMeshes * chunkSize);
-    for (const auto& [name, count] : leaks)
-        fmt::print("{:<15} {:>9} at corners {:>9} at edges\n", name, count.corners, count.edges);
+
+}
+
+Command declareWatertight(CLI::App& cli)
+{
+    const auto numRays = std::make_shared<std::size_t>(20'000'000);
+    CLI::App& command
+        = *cli.add_subcommand("watertight", "Rays at corners and edges of closed meshes: how many slip through");
+    command.add_option("--rays", *numRays, "Rays")->capture_default_str()->check(CLI::PositiveNumber);
+    const auto run = [numRays] {
+        measureLeaks(*numRays);
+        return app::Success;
+    };
+    return { &command, run };
 }
 
 }

@@ -62,9 +62,15 @@ namespace {
 
 }
 
+fs::path keptFolder()
+{
+    const char* const own = std::getenv("RAYWORK_CACHE");
+    return own && *own ? fs::absolute(own) : fs::path(buildDirectory);
+}
+
 fs::path cacheFolder()
 {
-    return fs::path(buildDirectory) / "submissions";
+    return keptFolder() / "submissions";
 }
 
 fs::path cached(const std::string& key, const std::function<bool(const fs::path&)>& make)

@@ -13,6 +13,10 @@ namespace submission {
 [[nodiscard]] std::filesystem::path cached(
     const std::string& key, const std::function<bool(const std::filesystem::path&)>& make);
 
+// Where graders keep what need not be made again: the build directory, or the folder that the environment's
+// RAYWORK_CACHE names.
+[[nodiscard]] std::filesystem::path keptFolder();
+
 // The folder of all these folders.
 [[nodiscard]] std::filesystem::path cacheFolder();
 

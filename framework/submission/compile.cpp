@@ -7,6 +7,7 @@
 #include "submission/log.h"
 #include "submission/symbols.h"
 #include "submission/toolchain.h"
+#include "values/stopwatch.h"
 #include <fstream>
 
 namespace submission {
@@ -60,12 +61,14 @@ namespace {
 
 Object compile(const std::string& name, const std::string& text)
 {
+    const values::Stopwatch watch;
     const std::string stem = fs::path(name).filename().string();
     Object object;
     object.key = Digest().add(Toolchain::get().digest).add(name).add(text).hex();
     const fs::path folder = cached(object.key, [&](const fs::path& made) { return compileIn(made, stem, text); });
     object.file = folder / (stem + ".o");
     object.part = judge(folder, stem);
+    object.seconds = watch.seconds();
     return object;
 }
 

@@ -10,6 +10,7 @@ struct Object {
     std::string key; // of its content and of all that it was compiled with
     std::filesystem::path file; // the object
     Part part; // built or refused
+    double seconds = 0.0; // that it took; next to nothing if it was known
 };
 
 // name: without ".cpp", such as "texture" or "extra/bloom".

@@ -6,6 +6,7 @@
 #include "submission/log.h"
 #include "submission/paths.h"
 #include "submission/toolchain.h"
+#include "values/stopwatch.h"
 
 namespace submission {
 
@@ -34,6 +35,7 @@ static bool linkIn(const fs::path& folder, const std::vector<Object>& objects, c
 
 Program link(const std::vector<Object>& objects, const std::string& rest)
 {
+    const values::Stopwatch watch;
     Digest digest;
     digest.add(Toolchain::get().digest).add("link").add(rest);
     for (const Object& object : objects)
@@ -43,6 +45,7 @@ Program link(const std::vector<Object>& objects, const std::string& rest)
     program.file = folder / "worker";
     if (!fs::exists(program.file))
         program.errors = linkerErrors(files::readText(folder / "link.log"));
+    program.seconds = watch.seconds();
     return program;
 }
 

@@ -9,6 +9,7 @@ struct Program {
     std::string key; // of all that went into it
     std::filesystem::path file;
     std::string errors; // empty if it links
+    double seconds = 0.0; // that it took; next to nothing if it was known
 };
 
 // rest: see Toolchain::restOf.

@@ -27,6 +27,7 @@ public:
     // What became of a file, once it was needed.
     [[nodiscard]] const Part& part(const std::string& name) const { return m_sources.at(name).part; }
     [[nodiscard]] std::vector<std::string> names() const;
+    [[nodiscard]] double compileSeconds(const std::string& name) const { return m_objects.at(name).seconds; }
     [[nodiscard]] const Program& featureWorker(const std::string& feature) const { return m_workers.at(feature); }
 
 private:

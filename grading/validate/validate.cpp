@@ -37,7 +37,7 @@ namespace {
         const int thread = std::max(tbb::this_task_arena::current_thread_index(), 0);
         const auto folder = validationFolder() / fmt::format("solution-{}", thread);
         writeChangedReference(folder, grading.solution->file, grading.solution->text);
-        std::vector<Row> rows = grade({ folder, expected, "", Secret(grading.seed), validationFolder() / "rows" });
+        std::vector<Row> rows = grade({ folder, expected, "", Secret(grading.seed), validationFolder() / "rows" }).rows;
         std::erase_if(rows, [](const Row& row) { return row.score >= row.maxScore; });
         for (Row& row : rows)
             row.pictures.reset(); // too much for a thousand gradings

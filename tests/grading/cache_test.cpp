@@ -98,6 +98,36 @@ TEST_CASE("What was drawn is kept by content, and not asked again", "[grading]")
     fs::remove_all(drawings);
 }
 
+TEST_CASE("RAYWORK_CACHE names a folder in which all is kept, and the grade is the same", "[grading]")
+{
+    const fs::path folder = changedTexture(), own = workFolder() / "own cache";
+    forgetRows();
+    const Graded usual = grade(folder, "--only texture");
+    const std::size_t before = numRows();
+    const Graded elsewhere = grade(folder, "--only texture", "RAYWORK_CACHE='" + own.string() + "' ");
+    CHECK(elsewhere.json == usual.json);
+    CHECK(numRows() == before);
+    for (const char* kept : { "submissions", "grading/rows", "grading/answers" })
+        CHECK_FALSE(fs::is_empty(own / kept));
+}
+
+TEST_CASE("Of a file that was asked about, the seconds are written that it took to build and to ask", "[grading]")
+{
+    const fs::path file = workFolder() / "times.json";
+    const Graded graded
+        = grade(copyOfReference("", nullptr), "--fresh --only reflection --times '" + file.string() + "'");
+    REQUIRE(graded.exitCode == 0);
+    const nlohmann::json times = nlohmann::json::parse(std::ifstream(file));
+    REQUIRE(times.at("files").size() == 1);
+    const auto& recursive = times.at("files").at("recursive");
+    CHECK(recursive.at("compiling") > 0.0);
+    CHECK(recursive.at("linking") > 0.0);
+    CHECK(recursive.at("asking") > 0.0);
+    CHECK(times.at("building") >= recursive.at("compiling").get<double>() + recursive.at("linking").get<double>());
+    CHECK(times.at("asking") > 0.0);
+    CHECK(times.at("drawing") > 0.0);
+}
+
 TEST_CASE("A folder that is watched is graded again at each change", "[grading]")
 {
     const fs::path folder = copyOfReference("", nullptr);

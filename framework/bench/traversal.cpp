@@ -1,0 +1,111 @@
+#include "bench/traversal.h"
+#include "app/run_command.h"
+#include "bench/compare.h"
+#include "files/error.h"
+#include "files/text.h"
+#include <nlohmann/json.hpp>
+
+namespace bench {
+namespace {
+
+    struct Options {
+        std::vector<std::string> meshes, scenes;
+        std::string json, compare;
+        double tolerance = 5.0; // percent
+        std::size_t numRays = 1 << 17;
+        int numRepetitions = 5;
+        bool onlyFast = false;
+    };
+
+    std::vector<Model> loadModels(const Options& options)
+    {
+        std::vector<Model> models;
+        for (const std::string& mesh : options.meshes)
+            models.push_back(loadMesh(mesh));
+        for (const std::string& scene : options.scenes)
+            models.push_back(loadModel(scene));
+        if (models.empty())
+            for (const char* scene : { "cornell_box", "monkey", "teapot", "dragon", "bowl", "field" })
+                models.push_back(loadModel(scene));
+        return models;
+    }
+
+    std::vector<Row> measureModel(const Model& model, const Options& options)
+    {
+        Rivals rivals;
+        addWide(model.triangles, rivals);
+        addEmbree(model.triangles, rivals);
+        if (!options.onlyFast)
+            addBinary(model.triangles, rivals);
+
+        std::vector<Row> rows;
+        const accel::WideTree tree(model.triangles);
+        for (const RaySet& set : makeRaySets(model, tree, options.numRays))
+            for (const Row& row : makeRows(model, set, rivals, measure(set, rivals, options.numRepetitions))) {
+                print(row);
+                rows.push_back(row);
+            }
+        return rows;
+    }
+
+    std::vector<Row> measureAll(const Options& options)
+    {
+        fmt::print("{:<20} {:<8} {:<15} {:>7}  ours over it            build s  B/tri  disagree\n", "model", "rays",
+            "rival", "M/s");
+        std::vector<Row> rows;
+        for (const Model& model : loadModels(options)) {
+            const std::vector<Row> more = measureModel(model, options);
+            rows.insert(rows.end(), more.begin(), more.end());
+        }
+        return rows;
+    }
+
+    constexpr int slower = 1; // an exit code
+
+    int compareWith(const std::vector<Row>& then, const std::vector<Row>& now, const Options& options)
+    {
+        const double tolerance = options.tolerance / 100.0;
+        const std::vector<Change> changes = compare(then, now);
+        if (changes.empty())
+            throw files::Error(options.compare, "found no traversal beside Embree's that was measured now, too");
+        print(changes, tolerance);
+        const bool isSlower
+            = std::ranges::any_of(changes, [&](const Change& change) { return isRegression(change, tolerance); });
+        return isSlower ? slower : app::Success;
+    }
+
+    int run(const Options& options)
+    {
+        const std::vector<Row> then = options.compare.empty() ? std::vector<Row>() : readRows(options.compare);
+        const std::vector<Row> rows = measureAll(options);
+        const nlohmann::json report { { "rows", toJson(rows) }, { "geomean", geometricMeans(rows) } };
+        fmt::print("{}\n", report["geomean"].dump());
+        if (!options.json.empty())
+            files::writeText(options.json, report.dump(2) + "\n");
+        return options.compare.empty() ? app::Success : compareWith(then, rows, options);
+    }
+
+}
+
+Command declareTraversal(CLI::App& cli)
+{
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = *cli.add_subcommand("traversal", "One ray after the other through a tree, on one thread");
+    command.add_option("meshes", options->meshes, "Meshes (.obj)");
+    command.add_option("--scene", options->scenes, "A scene of the folder scenes, bowl or field; repeatable")
+        ->allow_extra_args(false); // what follows are meshes
+    command.add_option("--json", options->json, "Write the figures to this file");
+    command.add_option("--compare", options->compare, "Tell what became slower since this file was written by --json");
+    command.add_option("--tolerance", options->tolerance, "Percent that may be lost")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 100.0));
+    command.add_option("--rays", options->numRays, "Rays in a set")->capture_default_str()->check(CLI::PositiveNumber);
+    command.add_option("--repetitions", options->numRepetitions, "Times that each ray is traced")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--only-fast", options->onlyFast, "Leave out those that take ten times as long");
+    command.footer("Exit codes: 0 done, 1 slower than what it is compared with, 2 bad input.");
+    return { &command, [options] { return run(*options); } };
+}
+
+}
