@@ -1,5 +1,6 @@
 // ./raywork bench: measures how fast things are.
 #include "app/run_command.h"
+#include "bench/accuracy.h"
 #include "bench/grade.h"
 #include "bench/kernels.h"
 #include "bench/traversal.h"
@@ -10,8 +11,8 @@ int main(int argc, char** argv)
 {
     CLI::App cli { "Measures how fast the library is, and a grading.", "./raywork bench" };
     cli.require_subcommand(1);
-    const bench::Command commands[] = { bench::declareTraversal(cli), bench::declareWatertight(cli),
-        bench::declareKernels(cli), bench::declareGrade(cli) };
+    const bench::Command commands[] = { bench::declareTraversal(cli), bench::declareAccuracy(cli),
+        bench::declareWatertight(cli), bench::declareKernels(cli), bench::declareGrade(cli) };
     return app::runCommand(cli, argc, argv, [&] {
         return std::ranges::find_if(commands, [](const bench::Command& command) {
             return command.cli->parsed();

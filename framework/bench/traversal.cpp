@@ -1,6 +1,7 @@
 #include "bench/traversal.h"
 #include "app/run_command.h"
 #include "bench/compare.h"
+#include "bench/model_names.h"
 #include "files/error.h"
 #include "files/text.h"
 #include <nlohmann/json.hpp>
@@ -9,26 +10,13 @@ namespace bench {
 namespace {
 
     struct Options {
-        std::vector<std::string> meshes, scenes;
+        ModelNames models;
         std::string json, compare;
         double tolerance = 5.0; // percent
         std::size_t numRays = 1 << 17;
         int numRepetitions = 5;
         bool onlyFast = false;
     };
-
-    std::vector<Model> loadModels(const Options& options)
-    {
-        std::vector<Model> models;
-        for (const std::string& mesh : options.meshes)
-            models.push_back(loadMesh(mesh));
-        for (const std::string& scene : options.scenes)
-            models.push_back(loadModel(scene));
-        if (models.empty())
-            for (const char* scene : { "cornell_box", "monkey", "teapot", "dragon", "bowl", "field" })
-                models.push_back(loadModel(scene));
-        return models;
-    }
 
     std::vector<Row> measureModel(const Model& model, const Options& options)
     {
@@ -53,7 +41,7 @@ namespace {
         fmt::print("{:<20} {:<8} {:<15} {:>7}  ours over it            build s  B/tri  disagree\n", "model", "rays",
             "rival", "M/s");
         std::vector<Row> rows;
-        for (const Model& model : loadModels(options)) {
+        for (const Model& model : loadModels(options.models)) {
             const std::vector<Row> more = measureModel(model, options);
             rows.insert(rows.end(), more.begin(), more.end());
         }
@@ -91,9 +79,7 @@ Command declareTraversal(CLI::App& cli)
 {
     const auto options = std::make_shared<Options>();
     CLI::App& command = *cli.add_subcommand("traversal", "One ray after the other through a tree, on one thread");
-    command.add_option("meshes", options->meshes, "Meshes (.obj)");
-    command.add_option("--scene", options->scenes, "A scene of the folder scenes, bowl or field; repeatable")
-        ->allow_extra_args(false); // what follows are meshes
+    declareModels(command, options->models);
     command.add_option("--json", options->json, "Write the figures to this file");
     command.add_option("--compare", options->compare, "Tell what became slower since this file was written by --json");
     command.add_option("--tolerance", options->tolerance, "Percent that may be lost")
