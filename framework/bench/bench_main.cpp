@@ -1,5 +1,6 @@
 // ./raywork bench: measures the library against others.
 #include "app/run_command.h"
+#include "bench/render.h"
 #include "bench/report.h"
 #include "bench/watertight.h"
 #include "files/error.h"
@@ -89,7 +90,11 @@ int main(int argc, char** argv)
     CLI::App cli { "Measures the library against others.", "./raywork bench" };
     Options options;
     declare(cli, options);
-    return app::runCommand(cli, argc, argv, [&] {
+    bench::RenderOptions renderOptions;
+    bench::declareRender(cli, renderOptions);
+    return app::runCommand(cli, argc, argv, [&]() -> int {
+        if (cli.got_subcommand("render"))
+            return bench::measureRender(renderOptions);
         if (cli.got_subcommand("watertight"))
             bench::measureLeaks(options.numLeakRays);
         else
