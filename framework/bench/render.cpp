@@ -66,6 +66,9 @@ void declareRender(CLI::App& cli, RenderOptions& options)
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     render.add_option("--json", options.json, "Write the figures to this file");
+    render.footer(
+        "frame: renderImage. Its rays again: hits, by intersectRayWithBVH or BVH::intersect; traversal, by the "
+        "library's tree alone. Small pictures and many repetitions are what a busy machine disturbs least.");
 }
 
 int measureRender(const RenderOptions& options)
