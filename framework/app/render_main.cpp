@@ -1,14 +1,12 @@
 // ./raywork render: renders a scene with a submission's code, in a process of its own.
-#include "app/progress_bar.h"
+#include "app/number_pairs.h"
+#include "app/renderer.h"
 #include "app/run_command.h"
 #include "app/save_debug_ray.h"
 #include "app/save_picture.h"
 #include "debug/false_color.h"
-#include "submission/named_folder.h"
-#include "submission/submission.h"
 #include "worker/debug_ray.h"
-#include "worker/process.h"
-#include <optional>
+#include "worker/render_request.h"
 
 namespace {
 
@@ -50,35 +48,6 @@ void declare(CLI::App& cli, Options& options)
     cli.footer("Exit codes: 0 done, 2 bad input, 70 the submission's code failed.");
 }
 
-// Two numbers with a character between them.
-std::optional<glm::ivec2> parsePair(const std::string& text, char between)
-{
-    glm::ivec2 pair { 0 };
-    char found = 0, rest = 0;
-    const bool isPair = std::sscanf(text.c_str(), "%d%c%d%c", &pair.x, &found, &pair.y, &rest) == 3;
-    return isPair && found == between ? std::optional(pair) : std::nullopt;
-}
-
-glm::ivec2 parseSize(const std::string& text)
-{
-    constexpr int largest = 32768;
-    if (text.empty())
-        return glm::ivec2(0);
-    const auto size = parsePair(text, 'x');
-    if (!size || std::min(size->x, size->y) < 1 || std::max(size->x, size->y) > largest)
-        throw std::invalid_argument(
-            fmt::format("--size: found '{}', expected WIDTHxHEIGHT, each 1 to {}", text, largest));
-    return *size;
-}
-
-glm::ivec2 parseNumbers(const std::string& option, const std::string& text)
-{
-    const auto numbers = parsePair(text, ',');
-    if (!numbers)
-        throw std::invalid_argument(fmt::format("{}: found '{}', expected X,Y", option, text));
-    return *numbers;
-}
-
 worker::RenderRequest makeRequest(const Options& options)
 {
     worker::RenderRequest request;
@@ -88,49 +57,14 @@ worker::RenderRequest makeRequest(const Options& options)
         request.settings.push_back(fmt::format("pixel_samples={}", options.samples));
     if (options.stratified)
         request.settings.emplace_back("jittered_sampling=true");
-    request.size = parseSize(options.size);
+    request.size = app::parseSize(options.size);
     if (!options.orbit.empty())
-        request.orbit = parseNumbers("--orbit", options.orbit);
+        request.orbit = app::parseNumbers("--orbit", options.orbit);
     request.numThreads = options.threads;
     request.wantsProgress = true;
     request.quantity = debug::quantityOf(options.show);
     return request;
 }
-
-// The submission's worker, which reads a scene's meshes and textures wherever they lie.
-class Renderer {
-public:
-    explicit Renderer(const fs::path& program)
-        : m_process(program, limits())
-    {
-    }
-
-    // Result: what the probe answers.
-    template <typename Result, typename Request> Result ask(const std::string& probe, const Request& request)
-    {
-        constexpr std::chrono::hours patience { 24 * 365 }; // whoever waits can interrupt
-        worker::Message input;
-        input << request;
-        const struct Bar {
-            ~Bar() { app::clearProgressBar(); } // also before what went wrong is told
-        } bar;
-        const worker::Answer answer = m_process.ask(probe, input, patience, app::drawProgressBar);
-        worker::Reader reader { answer.output };
-        return reader.read<Result>();
-    }
-
-private:
-    static worker::Limits limits()
-    {
-        worker::Limits limits;
-        limits.captureOutput = false;
-        limits.answerBytes = std::size_t(16) << 30; // a picture of 32768 x 32768 pixels has 12 GiB
-        limits.readable = { "/" };
-        return limits;
-    }
-
-    worker::Process m_process;
-};
 
 void report(const Options& options, const fs::path& output, const worker::Rendering& rendering)
 {
@@ -140,21 +74,11 @@ void report(const Options& options, const fs::path& output, const worker::Render
         static_cast<double>(rendering.numRays) * 1e-6 / std::max(rendering.seconds, 1e-9));
 }
 
-fs::path build(const Options& options)
-{
-    submission::Submission submission { submission::namedFolder(options.with) };
-    fs::path worker = submission.buildWholeWorker();
-    for (const std::string& name : submission.names())
-        if (const submission::Part& part = submission.part(name); part.state == submission::State::Refused)
-            fmt::print(stderr, "{}.cpp is left out. {}", name, part.message);
-    return worker;
-}
-
 void render(const Options& options, const fs::path& output)
 {
     app::checkPictureName(output);
     const worker::RenderRequest request = makeRequest(options);
-    auto rendering = Renderer(build(options)).ask<worker::Rendering>("render.image", request);
+    auto rendering = app::Renderer(options.with).ask<worker::Rendering>("render.image", request);
     const debug::Range range = debug::rangeOf(request.quantity, rendering.pixels);
     if (output.extension() != ".exr")
         rendering.pixels = debug::falseColors(request.quantity, std::move(rendering.pixels), range);
@@ -167,8 +91,8 @@ void render(const Options& options, const fs::path& output)
 void followRay(const Options& options, const fs::path& output)
 {
     app::checkDebugRayName(output);
-    const worker::DebugRayRequest request { makeRequest(options), parseNumbers("--debug-ray", options.debugRay) };
-    Renderer renderer { build(options) };
+    const worker::DebugRayRequest request { makeRequest(options), app::parseNumbers("--debug-ray", options.debugRay) };
+    app::Renderer renderer { options.with };
     const auto ray = renderer.ask<worker::DebugRay>("debug.ray", request);
     auto picture = renderer.ask<worker::Rendering>("render.image", request.render);
     const debug::Range range = debug::rangeOf(request.render.quantity, picture.pixels);

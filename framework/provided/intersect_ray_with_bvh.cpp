@@ -14,12 +14,13 @@ void fillHit(const RenderState& state, const BVHInterface::Primitive& primitive,
     hitInfo.material = state.scene.meshes[meshID].material;
     hitInfo.barycentricCoord = bc;
     hitInfo.texCoord = bc.x * v0.texCoord + bc.y * v1.texCoord + bc.z * v2.texCoord;
-    hitInfo.normal = glm::normalize(hit.normal);
+    glm::vec3 normal = hit.normal;
     if (state.features.enableNormalInterp) {
-        const glm::vec3 normal = bc.x * v0.normal + bc.y * v1.normal + bc.z * v2.normal;
-        if (glm::dot(normal, normal) > 0.0f) // opposite normals may cancel
-            hitInfo.normal = glm::normalize(normal);
+        const glm::vec3 interpolated = bc.x * v0.normal + bc.y * v1.normal + bc.z * v2.normal;
+        if (glm::dot(interpolated, interpolated) > 0.0f) // opposite normals may cancel
+            normal = interpolated;
     }
+    hitInfo.normal = glm::normalize(normal);
     if (glm::dot(hitInfo.normal, ray.direction) > 0.0f)
         hitInfo.normal = -hitInfo.normal;
 }

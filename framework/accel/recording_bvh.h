@@ -1,0 +1,34 @@
+#pragma once
+#include "accel/wrapped_bvh.h"
+#include <vector>
+
+namespace accel {
+
+// What one thread asked of a tree.
+struct RecordedRays {
+    std::vector<Ray> rays; // each as it was before it met something
+    uint64_t numHits = 0; // of them
+};
+
+// A tree that keeps all rays that anybody sends into it, in their order. For one thread.
+class RecordingBVH : public WrappedBVH {
+public:
+    RecordingBVH(BVHInterface& bvh, RecordedRays& recorded)
+        : WrappedBVH(bvh)
+        , m_recorded(recorded)
+    {
+    }
+
+    bool intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const override
+    {
+        m_recorded.rays.push_back(ray);
+        const bool isHit = wrapped().intersect(state, ray, hitInfo);
+        m_recorded.numHits += isHit;
+        return isHit;
+    }
+
+private:
+    RecordedRays& m_recorded;
+};
+
+}
