@@ -10,7 +10,7 @@ void fillHit(const RenderState& state, const BVHInterface::Primitive& primitive,
     const Ray& ray, HitInfo& hitInfo)
 {
     const auto& [meshID, v0, v1, v2] = primitive;
-    const glm::vec3 bc = hit.barycentric / (hit.barycentric.x + hit.barycentric.y + hit.barycentric.z);
+    const glm::vec3& bc = hit.barycentric;
     hitInfo.material = state.scene.meshes[meshID].material;
     hitInfo.barycentricCoord = bc;
     hitInfo.texCoord = bc.x * v0.texCoord + bc.y * v1.texCoord + bc.z * v2.texCoord;
@@ -25,24 +25,34 @@ void fillHit(const RenderState& state, const BVHInterface::Primitive& primitive,
         hitInfo.normal = -hitInfo.normal;
 }
 
-// By the library's own tree if there is one, by the one that everybody sees otherwise, and if somebody counts its
-// nodes.
-const BVHInterface::Primitive* findTriangle(const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+const BVHInterface::Primitive* findInBinaryTree(const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
 {
-    const accel::WideTree* tree = bvh.wideTree();
-    if (!tree || debug::Tally::isOpen())
-        return accel::findClosest(bvh, ray, hit);
-    const auto found = tree->closest(ray);
+    const BVHInterface::Primitive* found = accel::findClosest(bvh, ray, hit);
+    const glm::vec3& volumes = hit.barycentric;
+    if (found)
+        hit.barycentric = volumes / (volumes.x + volumes.y + volumes.z);
+    return found;
+}
+
+const BVHInterface::Primitive* findInWideTree(
+    const accel::WideTree& tree, const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+{
+    const auto found = tree.closest(ray);
     if (!found)
         return nullptr;
     const BVHInterface::Primitive& primitive = bvh.primitives()[found->primitive];
     const glm::vec3 &a = primitive.v0.position, &b = primitive.v1.position, &c = primitive.v2.position;
-    // By the test of intersectRayWithTriangle, so that whoever uses that finds the same bits; it may round an edge
-    // away.
-    if (!accel::testTriangle(a, b, c, ray, hit))
-        hit = { found->t, { 1.0f - found->u - found->v, found->u, found->v }, glm::cross(b - a, c - a) };
-    ray.t = hit.t;
+    hit = { found->t, { 1.0f - found->u - found->v, found->u, found->v }, glm::cross(b - a, c - a) };
+    ray.t = found->t;
     return &primitive;
+}
+
+// In the library's own tree if there is one; in the one that everybody sees otherwise, and if somebody counts its
+// nodes. The hit's weights have the sum 1.
+const BVHInterface::Primitive* findTriangle(const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+{
+    const accel::WideTree* tree = bvh.wideTree();
+    return tree && !debug::Tally::isOpen() ? findInWideTree(*tree, bvh, ray, hit) : findInBinaryTree(bvh, ray, hit);
 }
 
 }
