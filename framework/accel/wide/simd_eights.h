@@ -7,6 +7,7 @@ namespace accel::wide {
 // Eight floats in a register of AVX2. min and max return the second operand if one is not a number.
 struct Eights {
     using Floats = __m256; // the compiler knows + - * /
+    using Register = Eights;
     static constexpr int size = 8;
 
     static Floats load(const float* p) { return _mm256_load_ps(p); }

@@ -10,6 +10,7 @@ namespace accel::wide {
 // number.
 struct Fours {
     using Floats = float __attribute__((vector_size(16)));
+    using Register = Fours;
     static constexpr int size = 4;
 
     static Floats load(const float* p) { return *reinterpret_cast<const AnyFloats*>(p); }

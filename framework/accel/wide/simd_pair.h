@@ -12,6 +12,7 @@ template <typename Half> struct Pair {
         friend Floats operator*(Floats a, Floats b) { return { a.low * b.low, a.high * b.high }; }
         friend Floats operator/(Floats a, Floats b) { return { a.low / b.low, a.high / b.high }; }
     };
+    using Register = typename Half::Register;
     static constexpr int size = 2 * Half::size;
 
     static Floats load(const float* p) { return { Half::load(p), Half::load(p + Half::size) }; }

@@ -8,6 +8,7 @@ namespace accel::wide {
 // mask of all places since g++ 12 warns of its own header without one.
 struct Sixteens {
     using Floats = __m512; // the compiler knows + - * /
+    using Register = Sixteens;
     static constexpr int size = 16;
 
     static Floats load(const float* p) { return _mm512_load_ps(p); }

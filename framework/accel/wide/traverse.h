@@ -21,6 +21,7 @@ struct Counted {
 // library.
 template <typename Simd> class Traversal {
     using Floats = typename Simd::Floats;
+    using Register = typename Simd::Register; // triangles are tested a register at a time: more would not fit
 
 public:
     static constexpr Kernel kernel(const char* name)
@@ -42,16 +43,16 @@ private:
     template <typename Count>
     [[gnu::always_inline]] static bool findClosest(const View& tree, const Ray& ray, Hit& hit, Count count)
     {
-        Closest<Simd> closest(ray);
+        Closest<Register> closest(ray);
         if (tree.numNodes == 0) {
-            const TriangleRay<Simd> triangleRay(ray);
+            const TriangleRay<Register> triangleRay(ray);
             for (uint32_t i = 0; i < tree.numBlocks; ++i) {
                 count.block();
                 triangleRay.findCloser(tree.blocks[i], closest);
             }
         } else {
             const BoxRay<Simd> boxRay(tree, ray); // first: the root waits for it
-            descend(tree, boxRay, TriangleRay<Simd>(ray), closest, count);
+            descend(tree, boxRay, TriangleRay<Register>(ray), closest, count);
         }
         if (closest.hit.primitive == closest.none)
             return false;
@@ -163,7 +164,7 @@ private:
 
     template <typename Count>
     [[gnu::always_inline]] static void descend(const View& tree, const BoxRay<Simd>& boxRay,
-        const TriangleRay<Simd>& triangleRay, Closest<Simd>& closest, Count count)
+        const TriangleRay<Register>& triangleRay, Closest<Register>& closest, Count count)
     {
         Visit stack[maxDepth * (width - 1)];
         Visit* top = stack;
@@ -172,14 +173,14 @@ private:
             count.node();
             const Child* const children = childrenOf(tree, current);
             Floats entry;
-            unsigned mask = boxRay.meets(current, closest.limit, entry);
+            unsigned mask = boxRay.meets(current, Simd::broadcast(closest.hit.t), entry);
             const unsigned isBlock = Simd::topBits(children);
             if (unsigned blocks = mask & isBlock; blocks != 0) {
                 do {
                     count.block();
                     triangleRay.findCloser(blockOf(tree, children[__builtin_ctz(blocks)]), closest);
                 } while ((blocks &= blocks - 1) != 0);
-                mask &= ~isBlock & Simd::lessEqual(entry, closest.limit);
+                mask &= ~isBlock & Simd::lessEqual(entry, Simd::broadcast(closest.hit.t));
             }
             if (mask != 0) {
                 current = nearestOf(tree, children, mask, entry, top);
@@ -203,18 +204,18 @@ private:
 
     template <typename Count> [[gnu::always_inline]] static bool findAny(const View& tree, const Ray& ray, Count count)
     {
-        const Floats limit = Simd::broadcast(ray.t);
         if (tree.numNodes == 0) {
-            const TriangleRay<Simd> triangleRay(ray);
+            const TriangleRay<Register> triangleRay(ray);
             for (uint32_t i = 0; i < tree.numBlocks; ++i) {
                 count.block();
-                if (triangleRay.template meets<true>(tree.blocks[i], limit))
+                if (triangleRay.template meets<true>(tree.blocks[i], ray.t))
                     return true;
             }
             return false;
         }
+        const Floats limit = Simd::broadcast(ray.t);
         const BoxRay<Simd> boxRay(tree, ray);
-        const TriangleRay<Simd> triangleRay(ray);
+        const TriangleRay<Register> triangleRay(ray);
         Child stack[maxDepth * (width - 1) + width];
         Child* top = stack;
         Child current = 0;
@@ -226,7 +227,7 @@ private:
             const unsigned isBlock = Simd::topBits(children);
             for (unsigned blocks = mask & isBlock; blocks != 0; blocks &= blocks - 1) {
                 count.block();
-                if (triangleRay.template meets<false>(blockOf(tree, children[__builtin_ctz(blocks)]), limit))
+                if (triangleRay.template meets<false>(blockOf(tree, children[__builtin_ctz(blocks)]), ray.t))
                     return true;
             }
             mask &= ~isBlock;

@@ -51,52 +51,84 @@ public:
 
     // Whether a triangle of the block is met within the limit. Where most blocks have none that the ray passes through,
     // at any distance, it pays to stop at that; where a tree has chosen the blocks, it is one more jump to foresee.
-    template <bool mostHaveNone> [[nodiscard]] bool meets(const Block& block, Floats limit) const
+    template <bool mostHaveNone> [[nodiscard]] bool meets(const Block& block, float limit) const
     {
-        const Sheared s = shear(block);
+        for (int first = 0; hasTriangles(block, first); first += Simd::size)
+            if (meetsPart<mostHaveNone>({ block, first }, limit))
+                return true;
+        return false;
+    }
+
+    // Replaces the closest hit by one that is closer.
+    void findCloser(const Block& block, Closest<Simd>& closest) const
+    {
+        for (int first = 0; hasTriangles(block, first); first += Simd::size)
+            findCloserInPart({ block, first }, closest);
+    }
+
+private:
+    // As many triangles of a block as a register has places: tested together, more would not fit into all registers.
+    struct Part {
+        const Block& block;
+        int first;
+
+        [[nodiscard]] Floats load(int axis, int corner) const
+        {
+            return Simd::load(&block.positions[axis][corner][first]);
+        }
+        [[nodiscard]] uint32_t primitive(int i) const { return block.primitives[first + i]; }
+    };
+
+    // The first part always has some.
+    static bool hasTriangles(const Block& block, int first)
+    {
+        return first == 0 || (first < width && block.primitives[first] != Closest<Simd>::none);
+    }
+
+    template <bool mostHaveNone> [[nodiscard]] bool meetsPart(const Part& part, float limit) const
+    {
+        const Sheared s = shear(part);
         unsigned mask = s.candidates();
         if (mostHaveNone && mask == 0)
             return false;
-        const Floats t = distances(block, s);
-        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, limit);
+        const Floats t = distances(part, s);
+        mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, Simd::broadcast(limit));
         if (mask == 0)
             return false;
         const unsigned certain = mask & s.withArea();
         if (certain != 0)
             return true;
         Closest<Simd> closest(m_ray);
-        findEdgeOn(block, m_ray, mask, closest);
+        findEdgeOn(part, m_ray, mask, closest);
         return closest.hit.primitive != closest.none;
     }
 
-    // Replaces the closest hit by one that is closer.
-    void findCloser(const Block& block, Closest<Simd>& closest) const
+    void findCloserInPart(const Part& part, Closest<Simd>& closest) const
     {
-        const Sheared s = shear(block);
+        const Sheared s = shear(part);
         unsigned mask = s.candidates();
         if (mask == 0)
             return;
-        const Floats t = distances(block, s);
+        const Floats t = distances(part, s);
         mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, closest.limit);
         if (mask == 0)
             return;
         if (const unsigned edgeOn = mask & ~s.withArea(); __builtin_expect(edgeOn != 0, 0)) {
-            findEdgeOn(block, m_ray, edgeOn, closest);
+            findEdgeOn(part, m_ray, edgeOn, closest);
             mask &= ~edgeOn;
         }
-        alignas(64) float ts[width], us[width], vs[width];
+        alignas(64) float ts[Simd::size], us[Simd::size], vs[Simd::size];
         const Floats sum = s.weights[0] + s.weights[1] + s.weights[2];
         Simd::store(ts, t);
         Simd::store(us, s.weights[1] / sum);
         Simd::store(vs, s.weights[2] / sum);
         for (; mask != 0; mask &= mask - 1) {
             const int i = __builtin_ctz(mask);
-            closest.offer({ ts[i], block.primitives[i], us[i], vs[i] });
+            closest.offer({ ts[i], part.primitive(i), us[i], vs[i] });
         }
         closest.limit = Simd::broadcast(closest.hit.t);
     }
 
-private:
     // The corners seen along the ray. An edge function is negative, positive or zero for all triangles that share the
     // edge, but for its sign, if the products are rounded before they are subtracted: no fused multiply-add here.
     struct Sheared {
@@ -114,17 +146,17 @@ private:
         [[nodiscard]] unsigned withArea() const { return Simd::less(least, most); }
     };
 
-    [[nodiscard]] const float* row(const Block& block, int axis) const
+    [[nodiscard]] const float* row(const Part& part, int axis) const
     {
-        const char* row = reinterpret_cast<const char*>(block.positions) + m_rows[axis];
+        const char* row = reinterpret_cast<const char*>(&part.block.positions[0][0][part.first]) + m_rows[axis];
         asm("" : "+r"(row)); // one register, and corners beside it: the compiler would keep one for each
         return reinterpret_cast<const float*>(row);
     }
 
-    [[nodiscard]] Sheared shear(const Block& block) const
+    [[nodiscard]] Sheared shear(const Part& part) const
     {
         Sheared s;
-        const float *const rowX = row(block, 0), *const rowY = row(block, 1), *const rowZ = row(block, 2);
+        const float *const rowX = row(part, 0), *const rowY = row(part, 1), *const rowZ = row(part, 2);
         for (int corner = 0; corner < 3; ++corner) {
             s.z[corner] = Simd::load(rowZ + corner * width) - m_origin[2];
             s.x[corner] = Simd::load(rowX + corner * width) - m_origin[0] - m_shearX * s.z[corner];
@@ -141,16 +173,16 @@ private:
     // From the plane's equation, since a weighted sum of the corners loses digits on huge triangles; in the order of
     // intersectRayWithTriangle, for the same bits. Within what the corners allow but for rounding: seen edge-on, the
     // equation loses all digits. Not a number gives way to that, as a first operand.
-    [[nodiscard]] Floats distances(const Block& block, const Sheared& s) const
+    [[nodiscard]] Floats distances(const Part& part, const Sheared& s) const
     {
         const float* const origin = &m_ray.origin.x;
         const float* const direction = &m_ray.direction.x;
         Floats corner[3], edge1[3], edge2[3];
         for (int axis = 0; axis < 3; ++axis) {
-            const Floats first = Simd::load(block.positions[axis][0]);
+            const Floats first = part.load(axis, 0);
             corner[axis] = first - Simd::broadcast(origin[axis]);
-            edge1[axis] = Simd::load(block.positions[axis][1]) - first;
-            edge2[axis] = Simd::load(block.positions[axis][2]) - first;
+            edge1[axis] = part.load(axis, 1) - first;
+            edge2[axis] = part.load(axis, 2) - first;
         }
         const Floats normalX = edge1[1] * edge2[2] - edge1[2] * edge2[1];
         const Floats normalY = edge1[2] * edge2[0] - edge1[0] * edge2[2];
@@ -169,16 +201,16 @@ private:
     // too small to see, and on a coarse grid whole groups of neighbours are seen edge-on: without them the ray would
     // slip through. Products of floats fit into a double, so that here the signs are exact.
     [[gnu::noinline, gnu::cold]] static void findEdgeOn(
-        const Block& block, const Ray& ray, unsigned mask, Closest<Simd>& closest)
+        const Part& part, const Ray& ray, unsigned mask, Closest<Simd>& closest)
     {
         const TriangleRay self(ray);
-        const Sheared s = self.shear(block);
-        alignas(64) float x[3][width], y[3][width], t[width];
+        const Sheared s = self.shear(part);
+        alignas(64) float x[3][Simd::size], y[3][Simd::size], t[Simd::size];
         for (int corner = 0; corner < 3; ++corner) {
             Simd::store(x[corner], s.x[corner]);
             Simd::store(y[corner], s.y[corner]);
         }
-        Simd::store(t, self.distances(block, s));
+        Simd::store(t, self.distances(part, s));
         for (; mask != 0; mask &= mask - 1) {
             const int i = __builtin_ctz(mask);
             const double a = weight(x[2][i], y[2][i], x[1][i], y[1][i]);
@@ -188,7 +220,7 @@ private:
             const bool anyPositive = (a > 0.0) | (b > 0.0) | (c > 0.0);
             if (anyNegative != anyPositive) {
                 const double sum = a + b + c;
-                closest.offer({ t[i], block.primitives[i], static_cast<float>(b / sum), static_cast<float>(c / sum) });
+                closest.offer({ t[i], part.primitive(i), static_cast<float>(b / sum), static_cast<float>(c / sum) });
             }
         }
     }
