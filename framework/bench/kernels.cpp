@@ -52,7 +52,7 @@ namespace {
         static const Fixture fixture = [] {
             Sampler sampler(1);
             std::vector<Triangle> triangles;
-            addTriangles(glm::vec3(0.0f), 8, sampler, triangles);
+            addTriangles(glm::vec3(0.0f), accel::wide::width, sampler, triangles);
             return Fixture { WideTree(triangles), randomRays() };
         }();
         return fixture;

@@ -21,7 +21,7 @@ struct Counted {
 // library.
 template <typename Simd> class Traversal {
     using Floats = typename Simd::Floats;
-    using Register = typename Simd::Register; // triangles are tested a register at a time: more would not fit
+    using Register = typename Simd::Register; // triangles are tested a register at a time: more spill
 
 public:
     static constexpr Kernel kernel(const char* name)
