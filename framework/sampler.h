@@ -1,6 +1,8 @@
 #pragma once
+#include "values/even_numbers.h"
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <random>
 
 // A stream of uniform random numbers in [0, 1), never 1. Equal seeds give equal streams.
@@ -12,11 +14,29 @@ public:
     {
     }
 
+    // One whose numbers are spread evenly over a pixel's samples, as far as somebody says what they are for.
+    [[nodiscard]] static Sampler even(uint32_t seed)
+    {
+        Sampler sampler(seed);
+        sampler.m_even.emplace(seed);
+        return sampler;
+    }
+
+    // Numbers that are spread evenly, or null.
+    [[nodiscard]] values::EvenNumbers* even() { return m_even ? &*m_even : nullptr; }
+
     // 24 random bits: every value is a float, and the largest is 1 - 2^-24.
-    [[nodiscard]] float next_1d() { return static_cast<float>(next() >> 8) * 0x1p-24f; }
+    [[nodiscard]] float next_1d()
+    {
+        if (m_even) [[unlikely]]
+            return m_even->next1d();
+        return static_cast<float>(next() >> 8) * 0x1p-24f;
+    }
 
     [[nodiscard]] glm::vec2 next_2d()
     {
+        if (m_even) [[unlikely]]
+            return m_even->next2d();
         const float x = next_1d();
         return { x, next_1d() };
     }
@@ -43,4 +63,5 @@ private:
     }
 
     uint64_t m_state;
+    std::optional<values::EvenNumbers> m_even;
 };

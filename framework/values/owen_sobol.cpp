@@ -56,9 +56,9 @@ namespace {
 
 glm::vec2 owenSobol(uint32_t index, uint32_t seed)
 {
-    index = scramble(index, hash(seed));
-    return { toFloat(scramble(reverseBits(index), hash(seed + 0x9e3779b9u))),
-        toFloat(scramble(secondOfSobol(index), hash(seed + 0x3c6ef372u))) };
+    const uint32_t orderSeed = hash(seed + 1), xSeed = hash(orderSeed + 1), ySeed = hash(xSeed + 1); // hash(0) is 0
+    index = scramble(index, orderSeed);
+    return { toFloat(scramble(reverseBits(index), xSeed)), toFloat(scramble(secondOfSobol(index), ySeed)) };
 }
 
 }
