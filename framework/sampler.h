@@ -22,6 +22,14 @@ public:
         return sampler;
     }
 
+    // One whose numbers are jittered in a grid of cells, for those that somebody says what they are for.
+    [[nodiscard]] static Sampler jittered(uint32_t seed)
+    {
+        Sampler sampler(seed);
+        sampler.m_even.emplace(seed, values::EvenNumbers::Method::Jittered);
+        return sampler;
+    }
+
     // Numbers that are spread evenly, or null.
     [[nodiscard]] values::EvenNumbers* even() { return m_even ? &*m_even : nullptr; }
 

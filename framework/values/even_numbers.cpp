@@ -1,7 +1,18 @@
 #include "values/even_numbers.h"
 #include "values/owen_sobol.h"
+#include <algorithm>
+#include <cmath>
 
 namespace values {
+namespace {
+
+    // Below 1, also after rounding.
+    float inCell(uint32_t cell, uint32_t numCells, float x)
+    {
+        return std::min((static_cast<float>(cell) + x) / static_cast<float>(numCells), 1.0f - 0x1p-24f);
+    }
+
+}
 
 void EvenNumbers::startRay(uint32_t ray)
 {
@@ -12,22 +23,33 @@ void EvenNumbers::startRay(uint32_t ray)
 
 void EvenNumbers::expectNumbers(uint32_t number)
 {
-    m_numbers = purposeOf(number);
+    m_numbers = { newSeed(), number };
 }
 
 void EvenNumbers::expectPoints(uint32_t number)
 {
-    m_points = purposeOf(number);
+    m_points = { newSeed(), number };
 }
 
 float EvenNumbers::next1d()
 {
-    return next(m_numbers).x;
+    if (m_numbers.numHad == m_numbers.number)
+        return nextUnexpected().x;
+    const uint32_t cell = m_numbers.numHad;
+    const float x = nextOf(m_numbers).x;
+    return m_method == Method::Owen ? x : inCell(cell, m_numbers.number, x);
 }
 
 glm::vec2 EvenNumbers::next2d()
 {
-    return next(m_points);
+    if (m_points.numHad == m_points.number)
+        return nextUnexpected();
+    const uint32_t cell = m_points.numHad;
+    const glm::vec2 point = nextOf(m_points);
+    const auto side = static_cast<uint32_t>(std::sqrt(static_cast<double>(m_points.number)));
+    if (m_method == Method::Owen || cell >= side * side)
+        return point;
+    return { inCell(cell % side, side, point.x), inCell(cell / side, side, point.y) };
 }
 
 // The same in each ray for the same purpose.
@@ -36,17 +58,16 @@ uint32_t EvenNumbers::newSeed()
     return m_seed * 0x9e3779b9u + m_numPurposes++; // owenSobol mixes it
 }
 
-EvenNumbers::Purpose EvenNumbers::purposeOf(uint32_t number)
+glm::vec2 EvenNumbers::nextOf(Purpose& purpose)
 {
-    return { newSeed(), m_ray * number, number };
+    const uint32_t index = m_ray * purpose.number + purpose.numHad++;
+    return m_method == Method::Owen ? owenSobol(index, purpose.seed) : owenSobol(0, purpose.seed + index * 0x85ebca6bu);
 }
 
-glm::vec2 EvenNumbers::next(Purpose& expected)
+glm::vec2 EvenNumbers::nextUnexpected()
 {
-    if (expected.numLeft == 0)
-        return owenSobol(m_ray, newSeed());
-    --expected.numLeft;
-    return owenSobol(expected.index++, expected.seed);
+    const uint32_t seed = newSeed();
+    return m_method == Method::Owen ? owenSobol(m_ray, seed) : owenSobol(0, seed + m_ray * 0x85ebca6bu);
 }
 
 }

@@ -11,8 +11,12 @@ namespace values {
 // Whoever asks for a number need not know; whoever knows what the next are for says so before.
 class EvenNumbers {
 public:
-    explicit EvenNumbers(uint32_t seed)
+    // Jittered ones are even within a ray only: each of those that are expected is anywhere in a cell of its own.
+    enum class Method { Owen, Jittered };
+
+    explicit EvenNumbers(uint32_t seed, Method method = Method::Owen)
         : m_seed(seed)
+        , m_method(method)
     {
     }
 
@@ -29,16 +33,17 @@ public:
     [[nodiscard]] glm::vec2 next2d();
 
 private:
-    // A purpose, and how many of its samples are still to come.
+    // Something that a ray needs so many samples for, and how many it has had.
     struct Purpose {
-        uint32_t seed = 0, index = 0, numLeft = 0;
+        uint32_t seed = 0, number = 0, numHad = 0;
     };
 
     [[nodiscard]] uint32_t newSeed();
-    [[nodiscard]] Purpose purposeOf(uint32_t number);
-    [[nodiscard]] glm::vec2 next(Purpose& expected);
+    [[nodiscard]] glm::vec2 nextOf(Purpose& purpose);
+    [[nodiscard]] glm::vec2 nextUnexpected();
 
     uint32_t m_seed;
+    Method m_method;
     uint32_t m_ray = 0;
     uint32_t m_numPurposes = 0; // of this ray so far
     Purpose m_numbers, m_points;
