@@ -1,9 +1,11 @@
 #pragma once
-#include "values/even_numbers.h"
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <optional>
 #include <random>
+
+namespace values {
+class EvenNumbers;
+}
 
 // A stream of uniform random numbers in [0, 1), never 1. Equal seeds give equal streams.
 // PCG-XSH-RR, O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms".
@@ -14,37 +16,28 @@ public:
     {
     }
 
-    // One whose numbers are spread evenly over a pixel's samples, as far as somebody says what they are for.
-    [[nodiscard]] static Sampler even(uint32_t seed)
+    // Hands out these numbers, which are spread evenly and outlive it.
+    explicit Sampler(values::EvenNumbers& even)
+        : m_state(0)
+        , m_even(&even)
     {
-        Sampler sampler(seed);
-        sampler.m_even.emplace(seed);
-        return sampler;
     }
 
-    // One whose numbers are jittered in a grid of cells, for those that somebody says what they are for.
-    [[nodiscard]] static Sampler jittered(uint32_t seed)
-    {
-        Sampler sampler(seed);
-        sampler.m_even.emplace(seed, values::EvenNumbers::Method::Jittered);
-        return sampler;
-    }
-
-    // Numbers that are spread evenly, or null.
-    [[nodiscard]] values::EvenNumbers* even() { return m_even ? &*m_even : nullptr; }
+    // Whom to tell what numbers are for; null if they are independent.
+    [[nodiscard]] values::EvenNumbers* even() const { return m_even; }
 
     // 24 random bits: every value is a float, and the largest is 1 - 2^-24.
     [[nodiscard]] float next_1d()
     {
         if (m_even) [[unlikely]]
-            return m_even->next1d();
+            return nextEven1d();
         return static_cast<float>(next() >> 8) * 0x1p-24f;
     }
 
     [[nodiscard]] glm::vec2 next_2d()
     {
         if (m_even) [[unlikely]]
-            return m_even->next2d();
+            return nextEven2d();
         const float x = next_1d();
         return { x, next_1d() };
     }
@@ -70,6 +63,9 @@ private:
         return (shifted >> rotation) | (shifted << (-rotation & 31));
     }
 
+    [[nodiscard]] float nextEven1d();
+    [[nodiscard]] glm::vec2 nextEven2d();
+
     uint64_t m_state;
-    std::optional<values::EvenNumbers> m_even;
+    values::EvenNumbers* m_even = nullptr;
 };

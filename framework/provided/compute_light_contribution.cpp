@@ -1,5 +1,6 @@
 #include "light.h"
 #include "scene.h"
+#include "values/even_numbers.h"
 #include <framework/variant_helper.h>
 
 glm::vec3 computeLightContribution(RenderState& state, const Ray& ray, const HitInfo& hitInfo)

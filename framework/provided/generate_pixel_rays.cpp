@@ -1,4 +1,5 @@
 #include "render.h"
+#include "values/even_numbers.h"
 #include <framework/trackball.h>
 
 std::vector<Ray> generatePixelRays(

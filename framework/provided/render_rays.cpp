@@ -1,4 +1,5 @@
 #include "recursive.h"
+#include "values/even_numbers.h"
 
 glm::vec3 renderRays(RenderState& state, std::span<const Ray> rays, int rayDepth)
 {

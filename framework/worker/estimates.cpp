@@ -1,0 +1,97 @@
+#include "worker/estimates.h"
+#include "bvh.h"
+#include "light.h"
+#include "recursive.h"
+#include "render.h"
+#include "scene.h"
+#include "values/even_numbers.h"
+#include "values/stopwatch.h"
+#include "worker/probe.h"
+#include <framework/trackball.h>
+#include <glm/geometric.hpp>
+
+namespace worker {
+namespace {
+
+    void addTriangle(Scene& scene, const std::vector<glm::vec3>& corners)
+    {
+        const glm::vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        Mesh& mesh = scene.meshes.emplace_back();
+        for (const glm::vec3& corner : corners)
+            mesh.vertices.push_back({ corner, normal, {} });
+        mesh.triangles.emplace_back(0, 1, 2);
+        mesh.material.kd = glm::vec3(1.0f);
+    }
+
+    // Calls estimateAt(place, seed) for all estimates.
+    template <typename EstimateAt>
+    Estimates estimateAll(const EstimateRequest& request, std::size_t numPlaces, const EstimateAt& estimateAt)
+    {
+        Estimates estimates;
+        const values::Stopwatch watch;
+        for (uint32_t i = 0; i < request.number; ++i)
+            estimates.values.push_back(estimateAt(i % numPlaces, request.seed + i));
+        estimates.seconds = watch.seconds();
+        return estimates;
+    }
+
+    Estimates estimatePixels(const EstimateRequest& request)
+    {
+        const EdgePicture picture = edgePicture(request.integrand);
+        const Trackball camera(0.87f, 4.0f);
+        std::vector<glm::vec3> corners; // on a plane across the view
+        for (const glm::dvec2& corner : picture.corners) {
+            const Ray ray = camera.generateRay(glm::vec2(corner) / static_cast<float>(EdgePicture::side) * 2.0f - 1.0f);
+            corners.push_back(ray.origin + 4.0f / glm::dot(ray.direction, camera.forward()) * ray.direction);
+        }
+        Scene scene;
+        addTriangle(scene, corners);
+        scene.lights.emplace_back(PointLight { camera.position(), glm::vec3(1.0f) });
+        Features features;
+        features.numPixelSamples = request.numSamples;
+        features.enableJitteredSampling = request.strategy == Strategy::Stratified;
+        const BVH bvh(scene, features);
+        return estimateAll(request, picture.pixels.size(), [&](std::size_t place, uint32_t seed) {
+            values::EvenNumbers even(seed);
+            RenderState state { scene, features, bvh,
+                request.strategy == Strategy::Owen ? Sampler(even) : Sampler(seed) };
+            return renderRays(
+                state, generatePixelRays(state, camera, picture.pixels[place], glm::ivec2(EdgePicture::side)))
+                .x;
+        });
+    }
+
+    Estimates estimateLight(const EstimateRequest& request)
+    {
+        const LitFloor floor = litFloor(request.integrand);
+        Scene scene;
+        if (!floor.blocker.empty())
+            addTriangle(scene, floor.blocker);
+        Features features;
+        features.enableShading = features.enableShadows = true;
+        const BVH bvh(scene, features);
+        HitInfo hitInfo { .normal = { 0.0f, 1.0f, 0.0f } };
+        hitInfo.material.kd = glm::vec3(1.0f);
+        return estimateAll(request, floor.points.size(), [&](std::size_t place, uint32_t seed) {
+            using Method = values::EvenNumbers::Method;
+            values::EvenNumbers even(seed, request.strategy == Strategy::Owen ? Method::Owen : Method::Jittered);
+            even.expectPoints(request.numSamples);
+            RenderState state { scene, features, bvh,
+                request.strategy == Strategy::Uniform ? Sampler(seed) : Sampler(even) };
+            const Ray ray { floor.points[place] + glm::vec3(0, 10, 0), { 0, -1, 0 }, 10.0f };
+            return computeContributionParallelogramLight(state, floor.light, ray, hitInfo, request.numSamples).x;
+        });
+    }
+
+    const Probe estimates(
+        "sampling.estimates", [](Call& call) { call.output << estimate(call.input.read<EstimateRequest>()); });
+
+}
+
+Estimates estimate(const EstimateRequest& request)
+{
+    const bool isOfPixels = request.integrand == Integrand::Edge || request.integrand == Integrand::AxisEdge;
+    return isOfPixels ? estimatePixels(request) : estimateLight(request);
+}
+
+}

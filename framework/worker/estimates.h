@@ -1,0 +1,36 @@
+#pragma once
+#include "worker/integrand.h"
+#include "worker/message.h"
+
+namespace worker {
+
+enum class Strategy : uint32_t { Uniform, Stratified, Owen };
+
+// What the probe sampling.estimates is asked for.
+struct EstimateRequest {
+    Integrand integrand;
+    Strategy strategy;
+    uint32_t numSamples; // a pixel, or a light
+    uint32_t number; // of estimates, over all places in turn, each with random numbers of its own
+    uint32_t seed;
+};
+
+struct Estimates {
+    std::vector<float> values;
+    double seconds = 0.0; // for all of them
+};
+
+// By the submission's functions.
+[[nodiscard]] Estimates estimate(const EstimateRequest& request);
+
+inline Message& operator<<(Message& message, const Estimates& e)
+{
+    return message << e.values << e.seconds;
+}
+
+inline Reader& operator>>(Reader& reader, Estimates& e)
+{
+    return reader >> e.values >> e.seconds;
+}
+
+}
