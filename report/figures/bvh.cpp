@@ -11,21 +11,31 @@
 namespace report {
 namespace {
 
-    constexpr glm::ivec2 size { 520, 520 };
+    // The ray through this pixel, as a part of the picture, meets the forehead and then the back of the head.
+    constexpr glm::ivec2 size { 520, 520 }, pixel { 200, 305 };
 
-    // Into an eye of the monkey, and out of the back of its head.
-    constexpr glm::ivec2 pixel { 200, 305 };
-
-    worker::RenderRequest monkeyFromTheSide()
+    // The larger, the more pixels.
+    worker::RenderRequest monkeyFromTheSide(int scale)
     {
-        auto request = sceneNamed("monkey", size);
-        request.orbit = { 12, 55 };
+        auto request = sceneNamed("monkey", scale * size);
+        request.orbit = { 12, 35 };
         return request;
     }
 
-    std::vector<Fact> factsOfRay()
+    // Without what belongs to lights.
+    worker::DebugRay followRay(Studio& studio, Who who, int scale)
     {
-        return { { "scene", "monkey.toml" }, { "pixel", fmt::format("{}, {}", pixel.x, pixel.y) } };
+        return onlyDrawn(studio.followRay(who, monkeyFromTheSide(scale), scale * pixel), [](const debug::Shape& shape) {
+            const auto* const ray = std::get_if<debug::DrawnRay>(&shape.drawn);
+            return shape.cause.way == debug::Way::Path && !(ray && isLike(ray->color, red));
+        });
+    }
+
+    std::vector<Fact> factsOfRay(int scale)
+    {
+        return { { "scene", "monkey.toml" },
+            { "pixel",
+                fmt::format("{}, {} of {} × {}", scale * pixel.x, scale * pixel.y, scale * size.x, scale * size.y) } };
     }
 
     // The boxes' colours in the order visited.
@@ -48,16 +58,15 @@ namespace {
             && std::ranges::adjacent_find(boxes, greenRises) == boxes.end();
     }
 
-    Drawing drawnBy(Studio& studio, Who who, const worker::DebugRay& ray)
-    {
-        return toDrawing(studio.nameOf(who), ray, studio.render(who, monkeyFromTheSide()));
-    }
-
     worker::DebugRay boxesAndRay(Studio& studio, Who who)
     {
-        return onlyDrawn(studio.followRay(who, monkeyFromTheSide(), pixel), [](const debug::Shape& shape) {
-            return shape.cause.way == debug::Way::Path && !std::holds_alternative<debug::DrawnTriangle>(shape.drawn);
-        });
+        return onlyDrawn(followRay(studio, who, 1),
+            [](const debug::Shape& shape) { return !std::holds_alternative<debug::DrawnTriangle>(shape.drawn); });
+    }
+
+    Drawing drawnBy(Studio& studio, Who who, const worker::DebugRay& ray, int scale)
+    {
+        return toDrawing(studio.nameOf(who), ray, studio.render(who, monkeyFromTheSide(scale)));
     }
 
     Sheet drawOrder(Studio& studio)
@@ -66,9 +75,9 @@ namespace {
         const worker::DebugRay expected = boxesAndRay(studio, Who::Reference);
         const auto boxes = drawnOf<debug::DrawnBox>(ray), theirs = drawnOf<debug::DrawnBox>(expected);
 
-        Sheet sheet { .panels = { drawnBy(studio, Who::Submission, ray), drawnBy(studio, Who::Reference, expected),
-                          strip(boxes), strip(theirs) },
-            .facts = factsOfRay() };
+        Sheet sheet { .panels = { drawnBy(studio, Who::Submission, ray, 1),
+                          drawnBy(studio, Who::Reference, expected, 1), strip(boxes), strip(theirs) },
+            .facts = factsOfRay(1) };
         std::vector<float> greens;
         for (const debug::DrawnBox& box : boxes)
             greens.push_back(box.color.y);
@@ -79,6 +88,10 @@ namespace {
         sheet.data = { { "green", greens } };
         return sheet;
     }
+
+    // The triangles are small: a part of a larger picture.
+    constexpr int magnification = 2;
+    constexpr glm::ivec2 lowerLeft { 200, 400 };
 
     bool isOf(const debug::DrawnTriangle& drawn, const Crossing& crossing)
     {
@@ -103,27 +116,30 @@ namespace {
         }
     }
 
-    // The ray, the triangles, and nothing of the tree.
     worker::DebugRay trianglesAndRay(Studio& studio, Who who)
     {
-        return onlyDrawn(studio.followRay(who, monkeyFromTheSide(), pixel), [](const debug::Shape& shape) {
-            return shape.cause.way == debug::Way::Path
-                && (std::holds_alternative<debug::DrawnTriangle>(shape.drawn)
-                    || std::holds_alternative<debug::DrawnRay>(shape.drawn));
+        return onlyDrawn(followRay(studio, who, magnification), [](const debug::Shape& shape) {
+            return std::holds_alternative<debug::DrawnTriangle>(shape.drawn)
+                || std::holds_alternative<debug::DrawnRay>(shape.drawn);
         });
+    }
+
+    Drawing hitDrawnBy(Studio& studio, Who who, worker::DebugRay ray, const std::vector<Crossing>& crossings)
+    {
+        addCrossings(ray, crossings);
+        return crop(drawnBy(studio, who, ray, magnification), lowerLeft, size);
     }
 
     Sheet drawHit(Studio& studio)
     {
-        const std::vector<Crossing> crossings = Stage(monkeyFromTheSide()).crossings(pixel);
-        worker::DebugRay ray = trianglesAndRay(studio, Who::Submission);
+        const auto crossings = Stage(monkeyFromTheSide(magnification)).crossings(magnification * pixel);
+        const worker::DebugRay ray = trianglesAndRay(studio, Who::Submission);
+        const worker::DebugRay expected = trianglesAndRay(studio, Who::Reference);
         const auto triangles = drawnOf<debug::DrawnTriangle>(ray);
-        worker::DebugRay expected = trianglesAndRay(studio, Who::Reference);
-        addCrossings(ray, crossings);
-        addCrossings(expected, crossings);
 
-        Sheet sheet { .panels = { drawnBy(studio, Who::Submission, ray), drawnBy(studio, Who::Reference, expected) },
-            .facts = factsOfRay() };
+        Sheet sheet { .panels = { hitDrawnBy(studio, Who::Submission, ray, crossings),
+                          hitDrawnBy(studio, Who::Reference, expected, crossings) },
+            .facts = factsOfRay(magnification) };
         std::vector<float> distances;
         std::vector<std::size_t> drawn;
         for (const Crossing& crossing : crossings) {

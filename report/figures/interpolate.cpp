@@ -6,7 +6,6 @@
 #include "values/stopwatch.h"
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 namespace report {
 namespace {
@@ -33,20 +32,18 @@ namespace {
         return value != debug::nothing;
     }
 
-    // Of two pixels side by side that both show something, the root of the mean squared angle in degrees.
-    double turnOf(const worker::Rendering& normals)
+    // Of all pairs of pixels side by side that show the model, those with one and the same normal, in percent.
+    double percentEqual(const worker::Rendering& normals)
     {
-        double sum = 0.0;
-        std::size_t count = 0;
+        std::size_t equal = 0, pairs = 0;
         for (std::size_t i = 1; i < normals.pixels.size(); ++i) {
             const glm::vec3 &a = normals.pixels[i - 1], &b = normals.pixels[i];
             if (i % static_cast<std::size_t>(normals.size.x) == 0 || !isThere(a) || !isThere(b))
                 continue;
-            const double angle = glm::degrees(std::acos(glm::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)));
-            sum += angle * angle;
-            ++count;
+            equal += a == b;
+            ++pairs;
         }
-        return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+        return 100.0 * static_cast<double>(equal) / static_cast<double>(std::max<std::size_t>(pairs, 1));
     }
 
     std::string withLabel(const Studio& studio)
@@ -96,12 +93,12 @@ namespace {
         Sheet sheet { .panels = { Slider { picture("one normal a triangle", flat), after }, reference },
             .facts = factsOf(request, smooth) };
         sheet.facts.push_back(errorAgainst(reference, after));
-        const double flatTurn = turnOf(flat), smoothTurn = turnOf(smooth);
-        sheet.claims = { { fmt::format("From a pixel to the next the normal turns by {:.1f}° (RMS) with one normal a "
-                                       "triangle, by {:.1f}° interpolated; its length is 1 but for {:.1g}.",
-                               flatTurn, smoothTurn, offUnit),
-            smoothTurn < flatTurn && offUnit < 1e-5 } };
-        sheet.data = { { "flat", flatTurn }, { "smooth", smoothTurn }, { "off unit", offUnit } };
+        const double flatEqual = percentEqual(flat), smoothEqual = percentEqual(smooth);
+        sheet.claims = { { fmt::format("Of the pixels side by side {:.1f} % share a normal with one normal a triangle, "
+                                       "{:.1f} % with interpolated ones, whose length is 1 but for {:.1g}.",
+                               flatEqual, smoothEqual, offUnit),
+            smoothEqual < 0.1 * flatEqual && offUnit < 1e-5 } };
+        sheet.data = { { "flat", flatEqual }, { "smooth", smoothEqual }, { "off unit", offUnit } };
         return sheet;
     }
 

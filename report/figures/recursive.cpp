@@ -35,45 +35,47 @@ namespace {
         return sheet;
     }
 
-    // What each further reflection adds.
-    Plot plotOfSteps(const std::vector<double>& steps)
+    // How much is missing at each depth.
+    Plot plotOfErrors(const std::vector<double>& missing)
     {
         std::vector<std::vector<double>> rows;
-        for (std::size_t i = 0; i < steps.size(); ++i)
-            rows.push_back({ static_cast<double>(i + 1), steps[i] });
-        return { "what a further reflection changes (RMS)",
-            dataBlock("steps", rows)
-                + "set logscale y; set xlabel 'depth'; set xrange [0.5:6.5]; set ylabel 'RMS'; unset key\n"
-                  "plot $steps using 1:2 with lines linetype 1, "
-                + hoverPoints("steps", 1),
+        for (std::size_t depth = 0; depth < missing.size(); ++depth)
+            rows.push_back({ static_cast<double>(depth), missing[depth] });
+        return { "RMSE against depth 6",
+            dataBlock("missing", rows)
+                + "set logscale y; set xlabel 'depth'; set xrange [-0.5:5.5]; set format y '10^{%L}'; unset key\n"
+                  "plot $missing using 1:2 with lines linetype 1, "
+                + hoverPoints("missing", 1),
             { 340, 212 } };
     }
 
     Sheet drawDepths(Studio& studio)
     {
+        constexpr int deepest = 6;
         Sheet sheet { .columns = 3 };
         std::vector<Picture> pictures;
-        std::vector<double> steps;
-        for (int depth = 0; depth <= 6; ++depth) {
+        for (int depth = 0; depth <= deepest; ++depth) {
             const auto request = sceneNamed("reflections", { 340, 212 }, { fmt::format("max_depth={}", depth) });
             const worker::Rendering rendering = studio.render(Who::Submission, request);
             pictures.push_back(toPicture(fmt::format("depth {}", depth), rendering));
-            if (depth > 0)
-                steps.push_back(rmse(pictures[pictures.size() - 2], pictures.back()));
-            if (depth == 6) {
+            if (depth == deepest) {
                 sheet.facts = factsOf(request, rendering);
                 sheet.facts.push_back(
                     errorAgainst(toPicture("reference", studio.render(Who::Reference, request)), pictures.back()));
             }
         }
+        std::vector<double> missing;
+        for (std::size_t depth = 0; depth < deepest; ++depth)
+            missing.push_back(rmse(pictures[depth], pictures.back()));
         sheet.panels.assign(pictures.begin(), pictures.end());
-        sheet.panels.emplace_back(plotOfSteps(steps));
-        const bool shrink = std::ranges::adjacent_find(steps, std::less_equal<>()) == steps.end();
-        sheet.claims = { { fmt::format("Each reflection changes the picture less than the one before: by {:.2g} RMS at "
-                                       "depth 1, by {:.2g} at depth 6.",
-                               steps.front(), steps.back()),
-            shrink && steps.back() > 0.0 } };
-        sheet.data = { { "steps", steps } };
+        sheet.panels.emplace_back(plotOfErrors(missing));
+        const bool shrinks = std::ranges::adjacent_find(missing, std::less_equal<>()) == missing.end();
+        sheet.claims
+            = { { fmt::format("Each reflection brings the picture closer to that of depth 6: without any it is "
+                              "{:.2g} RMS away, at depth 5 {:.2g}.",
+                      missing.front(), missing.back()),
+                shrinks && missing.back() > 0.0 } };
+        sheet.data = { { "missing", missing } };
         return sheet;
     }
 

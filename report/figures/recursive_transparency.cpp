@@ -80,7 +80,7 @@ namespace {
     // Spheres larger than drawn: of their size they would be a pixel or two.
     Drawing rayDrawing(Studio& studio, Who who, const worker::RenderRequest& request, worker::DebugRay ray)
     {
-        constexpr float enlargement = 5.0f;
+        constexpr float enlargement = 8.0f;
         ray = onlyDrawn(std::move(ray), [](const debug::Shape& shape) {
             return shape.cause.way == debug::Way::Path
                 && (std::holds_alternative<debug::DrawnRay>(shape.drawn)

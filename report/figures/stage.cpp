@@ -1,5 +1,4 @@
 #include "report/figures/stage.h"
-#include "files/scene_file.h"
 #include "intersect.h"
 #include "submission/paths.h"
 #include "worker/middle_ray.h"
@@ -25,10 +24,10 @@ static Config configOf(Config config, const worker::RenderRequest& request)
 }
 
 Stage::Stage(const worker::RenderRequest& request)
-    : m_config(configOf(files::loadSceneFile(request.scene).config, request))
-    , m_scene(files::loadSceneFile(request.scene).scene)
+    : m_file(files::loadSceneFile(request.scene))
+    , m_config(configOf(m_file.config, request))
     , m_camera(makeTrackball(m_config))
-    , m_bvh(m_scene, m_config.features)
+    , m_bvh(m_file.scene, m_config.features)
 {
 }
 
@@ -39,7 +38,7 @@ Ray Stage::rayThrough(glm::ivec2 pixel) const
 
 std::optional<HitInfo> Stage::hitIn(glm::ivec2 pixel) const
 {
-    RenderState state { m_scene, m_config.features, m_bvh, Sampler(1) };
+    RenderState state { m_file.scene, m_config.features, m_bvh, Sampler(1) };
     Ray ray = rayThrough(pixel);
     HitInfo hitInfo;
     if (!intersectRayWithBVH(state, m_bvh, ray, hitInfo))

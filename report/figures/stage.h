@@ -1,7 +1,6 @@
 #pragma once
 #include "bvh.h"
-#include "config.h"
-#include "scene.h"
+#include "files/scene_file.h"
 #include "worker/render_request.h"
 #include <framework/trackball.h>
 #include <optional>
@@ -28,7 +27,7 @@ public:
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    [[nodiscard]] const Scene& scene() const { return m_scene; }
+    [[nodiscard]] const Scene& scene() const { return m_file.scene; }
 
     // What the ray through the pixel's middle meets; empty if nothing.
     [[nodiscard]] std::optional<HitInfo> hitIn(glm::ivec2 pixel) const;
@@ -42,8 +41,8 @@ public:
 private:
     [[nodiscard]] Ray rayThrough(glm::ivec2 pixel) const;
 
+    files::SceneFile m_file;
     Config m_config;
-    Scene m_scene;
     Trackball m_camera;
     BVH m_bvh;
 };
