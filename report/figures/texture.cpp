@@ -48,7 +48,7 @@ namespace {
 
     Sheet drawBilinear(Studio& studio)
     {
-        const glm::ivec2 size { 520, 347 };
+        const glm::ivec2 size { 520, 348 };
         const auto request = filtered("texture_nearest", size, "true");
         const Picture nearest
             = toPicture("nearest", studio.render(Who::Submission, filtered("texture_nearest", size, "false")));

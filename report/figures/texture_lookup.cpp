@@ -48,7 +48,7 @@ namespace {
 
     Sheet drawLookup(Studio& studio)
     {
-        const glm::ivec2 size { 520, 347 }, pixel { 199, 232 };
+        const glm::ivec2 size { 520, 348 }, pixel { 199, 232 };
         const auto ask = [&](const std::string& bilinear) {
             const auto request = sceneNamed("texture_nearest", size, { "bilinear_filtering=" + bilinear });
             return lookupAt(studio.followRay(Who::Submission, request, pixel), 0);

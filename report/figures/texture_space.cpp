@@ -8,7 +8,7 @@ namespace report {
 namespace {
 
     // Up to so many texels each way around the lookup.
-    constexpr int reach = 6;
+    constexpr int reach = 3;
 
     glm::vec2 placeOf(const worker::TextureLookup& lookup)
     {
@@ -27,16 +27,20 @@ namespace {
         return cells;
     }
 
-    std::string outlineOf(const debug::Texel& texel)
+    // The weight stands on the far side of the texel's centre, so that it leaves the place free.
+    std::string outlineOf(const debug::Texel& texel, const glm::vec2& place)
     {
-        const glm::ivec2 a = texel.index;
-        return fmt::format(
-            "set object rectangle from {0},{1} to {2},{3} front fillstyle empty border linecolor rgb 'black' "
-            "linewidth 5\n"
-            "set object rectangle from {0},{1} to {2},{3} front fillstyle empty border linecolor rgb 'white' "
-            "linewidth 2\n"
-            "set label '{4:.3f}' at {5},{6} center front boxed\n",
-            a.x, a.y, a.x + 1, a.y + 1, texel.weight, a.x + 0.5, a.y + 0.2);
+        const glm::ivec2 a = texel.index, b = a + 1;
+        const glm::vec2 centre = glm::vec2(a) + 0.5f;
+        const auto rectangle = [&](const char* color, int width) {
+            return fmt::format(
+                "set object rectangle from {},{} to {},{} front fillstyle empty border linecolor rgb '{}' "
+                "linewidth {}\n",
+                a.x, a.y, b.x, b.y, color, width);
+        };
+        return rectangle("black", 5) + rectangle("white", 2)
+            + fmt::format("set label '{:.3f}' at {},{} center front boxed\n", texel.weight, centre.x,
+                centre.y + (centre.y < place.y ? -0.3f : 0.3f));
     }
 
 }
@@ -54,7 +58,7 @@ Plot textureSpace(const std::string& label, const worker::TextureLookup& lookup,
                       "set style textbox opaque noborder fillcolor rgb 'white' margins 0.4, 0.4\n",
             first.x, end.x, first.y, end.y, size.x, size.y);
     for (const debug::Texel& texel : lookup.texels)
-        script += outlineOf(texel);
+        script += outlineOf(texel, place);
     script += "plot $texels using 1:2:(0.5):(0.5):3 with boxxyerror linecolor rgb variable, "
               "$place using 1:2 with points pointtype 2 pointsize 2 linewidth 6 linecolor rgb 'black', "
               "$place using 1:2 with points pointtype 2 pointsize 2 linewidth 2 linecolor rgb 'white'\n";
