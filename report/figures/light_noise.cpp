@@ -36,12 +36,12 @@ namespace {
     {
         return { "RMSE of a point in a half-shadow against the number of samples, and the line with slope -1/2",
             dataBlock("own", toRows(own)) + dataBlock("other", toRows(other))
-                + fmt::format(R"(set logscale xy; set xlabel "samples of the light"; set ylabel "RMSE"
+                + fmt::format(R"gp(set logscale xy; set xlabel "samples of the light"; set ylabel "RMSE"
 set xrange [0.8:320]; set format y "%g"
 plot {:.4g} / sqrt(x) with lines linetype 7 dashtype 2 title "slope -1/2", \
      $other using 1:2 with lines linetype 2 title "reference", \
      $own using 1:2 with points linetype 1 title {}, {}
-)",
+)gp",
                     other.front().error, quoted(studio.nameOf(Who::Submission)), hoverPoints("own", 1)),
             { 520, 300 } };
     }

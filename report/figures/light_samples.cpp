@@ -52,7 +52,7 @@ namespace {
     {
         return { label,
             dataBlock("samples", toRows(samples)) + dataBlock("first", histogram(samples, 0))
-                + dataBlock("second", histogram(samples, 1)) + R"(
+                + dataBlock("second", histogram(samples, 1)) + R"gp(
 mean = 100
 set multiplot
 set lmargin at screen 0.13; set rmargin at screen 0.78; set bmargin at screen 0.12; set tmargin at screen 0.77
@@ -68,7 +68,7 @@ set xrange [0:150]; set yrange [0:1]; set xtics (0, mean); set format x "%g"; se
 set arrow from mean, 0 to mean, 1 nohead linetype 1 linewidth 1 front
 plot $second using ($2 / 2):1:($2 / 2):(0.021) with boxxyerror linetype 7 notitle
 unset multiplot
-)",
+)gp",
             { 520, 520 } };
     }
 

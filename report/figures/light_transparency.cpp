@@ -111,8 +111,9 @@ namespace {
     Plot plotOf(const Curves& curves)
     {
         return { "What is left of white light behind a surface with kd 0.3: points by the code, lines by the formulas",
-            dataBlock("old", toRows(curves.alphas, curves.old)) + dataBlock("proposed", toRows(curves.alphas, curves.proposed))
-                + fmt::format(R"(kd = {:.9g}
+            dataBlock("old", toRows(curves.alphas, curves.old))
+                + dataBlock("proposed", toRows(curves.alphas, curves.proposed))
+                + fmt::format(R"gp(kd = {:.9g}
 set xrange [-0.02:1.02]; set yrange [-0.03:1.05]; set xlabel "alpha"; set ylabel "light that is left"
 set key outside right top Left reverse width -6; set xtics 0.25; set ytics 0.25
 plot kd * (1 - x) with lines linetype 1 title "old: kd (1 - α)", \
@@ -122,7 +123,7 @@ plot kd * (1 - x) with lines linetype 1 title "old: kd (1 - α)", \
      (1 - x) * (kd * x + 1 - x) with lines linetype 3 dashtype 4 title "(1 - α) × proposed", \
      $old using 1:2 with points linetype 1 title "old, by the code", \
      $proposed using 1:2 with points linetype 2 title "proposed, by the code", {}, {}
-)",
+)gp",
                     kd, hoverPoints("old", 1), hoverPoints("proposed", 2)),
             { 720, 360 } };
     }
