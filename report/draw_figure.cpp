@@ -34,6 +34,16 @@ namespace {
         return known.is_object() && known.value("key", "") == key ? known : json();
     }
 
+    void removeFilesOf(const Figure& figure, const fs::path& folder)
+    {
+        std::vector<fs::path> old;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+            if (entry.path().filename().string().starts_with(figure.name + "."))
+                old.push_back(entry.path());
+        for (const fs::path& path : old)
+            fs::remove(path);
+    }
+
     json draw(const Figure& figure, const Subject& subject, const fs::path& folder)
     {
         Studio studio { subject, figure.section };
@@ -57,6 +67,7 @@ json drawFigure(const Figure& figure, const Subject& subject, const fs::path& fo
     const std::string key = keyOf(figure, subject);
     if (json known = knownFigure(file, key); !known.is_null())
         return known;
+    removeFilesOf(figure, folder);
     json drawn = draw(figure, subject, folder);
     drawn["name"] = figure.name;
     drawn["title"] = figure.title;

@@ -67,8 +67,8 @@ namespace {
         const glm::ivec2 size = plot.size;
         files::writeText(files.path(".gnuplot"), plotPrelude() + plot.script);
         runProgram({ "gnuplot", "-e",
-            fmt::format("set terminal svg size {},{} dynamic font 'DejaVu Sans,12' background 'none'; set output {}",
-                size.x, size.y, quoted(files.path(".svg").string())),
+            fmt::format("set terminal svg size {},{} dynamic font 'DejaVu Sans,12'; set output {}", size.x, size.y,
+                quoted(files.path(".svg").string())),
             files.path(".gnuplot").string(), "-e",
             fmt::format("set terminal pngcairo size {},{} font 'DejaVu Sans,12' fontscale 2 linewidth 2 pointscale 2; "
                         "set output {}",

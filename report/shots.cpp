@@ -1,5 +1,6 @@
 // What figures make of scenes and renderings: the free functions of studio.h.
 #include "debug/false_color.h"
+#include "report/pictures.h"
 #include "report/studio.h"
 #include "submission/paths.h"
 #include <fmt/format.h>
@@ -34,6 +35,18 @@ Drawing toDrawing(std::string label, const worker::DebugRay& ray, const worker::
     for (glm::vec3& pixel : picture.pixels) // so that what is drawn stands out
         pixel *= 0.5f;
     return { std::move(picture), strokesOf(ray.shapes, debug::Projection(ray.camera, ray.size)) };
+}
+
+Sheet againstReference(Studio& studio, const worker::RenderRequest& request)
+{
+    const worker::Rendering rendering = studio.render(Who::Submission, request);
+    const Picture own = toPicture(studio.nameOf(Who::Submission), rendering);
+    const Picture reference = toPicture(studio.nameOf(Who::Reference), studio.render(Who::Reference, request));
+    Sheet sheet;
+    sheet.panels = { Slider { reference, own } };
+    sheet.facts = factsOf(request, rendering);
+    sheet.facts.push_back(errorAgainst(reference, own));
+    return sheet;
 }
 
 std::vector<Fact> factsOf(const worker::RenderRequest& request, const worker::Rendering& rendering)

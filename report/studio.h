@@ -80,6 +80,9 @@ private:
 // What a debug ray drew, over the darkened picture of the same request.
 [[nodiscard]] Drawing toDrawing(std::string label, const worker::DebugRay& ray, const worker::Rendering& rendering);
 
+// One scene by both, the submission's picture over the reference's under a slider, with the facts and the error.
+[[nodiscard]] Sheet againstReference(Studio& studio, const worker::RenderRequest& request);
+
 // Scene, size, settings that were changed, seconds and rays.
 [[nodiscard]] std::vector<Fact> factsOf(const worker::RenderRequest& request, const worker::Rendering& rendering);
 
