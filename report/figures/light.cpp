@@ -17,7 +17,7 @@ namespace {
 
     worker::RenderRequest requestOf(const Kind& kind, glm::ivec2 size)
     {
-        return sceneNamed(std::string("light_") + kind.name, size, { "shadow_samples=64" });
+        return sceneNamed(std::string("light_") + kind.name, size, { "shadow_samples=32" });
     }
 
     Sheet besideReference(Studio& studio)
@@ -25,13 +25,13 @@ namespace {
         Sheet sheet;
         sheet.columns = 3;
         for (const Kind& kind : kinds) {
-            const worker::RenderRequest request = requestOf(kind, { 480, 360 });
+            const worker::RenderRequest request = requestOf(kind, { 360, 270 });
             const worker::Rendering own = studio.render(Who::Submission, request);
             const std::string title = std::string(kind.title) + ", ";
             const Picture picture = toPicture(title + studio.nameOf(Who::Submission), own);
             const Picture reference = toPicture(title + "reference", studio.render(Who::Reference, request));
             if (sheet.facts.empty())
-                sheet.facts = { { "samples", "1 a pixel, 64 a light" }, { "seed", "0" } };
+                sheet.facts = { { "samples", "1 a pixel, 32 a light" }, { "seed", "0" } };
             const std::string numbers = fmt::format("light_{}.toml, {:.2f} s, RMSE against the reference {:.2g}",
                 kind.name, own.seconds, rmse(reference, picture));
             sheet.facts.push_back({ kind.title, numbers });
@@ -99,7 +99,7 @@ namespace {
                     + lines,
                 { 520, 390 } } };
         sheet.facts = { { "scenes", "light_point.toml, light_segment.toml, light_parallelogram.toml" },
-            { "samples", "1 a pixel, 64 a light" }, { "seed", "0" } };
+            { "samples", "1 a pixel, 32 a light" }, { "seed", "0" } };
         sheet.claims = { { fmt::format("In a shadow's border, where more than 2 % and less than 98 % of the light is "
                                        "visible, lie {} pixels below the point light, {} below the segment, {} below "
                                        "the parallelogram.",

@@ -48,7 +48,7 @@ plot {:.4g} / sqrt(x) with lines linetype 7 dashtype 2 title "slope -1/2", \
 
     Sheet drawNoise(Studio& studio)
     {
-        const glm::ivec2 size { 160, 120 }, from { 18, 30 }, part { 60, 45 };
+        const glm::ivec2 size { 120, 90 }, from { 8, 20 }, part { 60, 45 };
         const auto render = [&](Who who, int numSamples) {
             const worker::RenderRequest request
                 = sceneNamed("light_parallelogram", size, { fmt::format("shadow_samples={}", numSamples) });

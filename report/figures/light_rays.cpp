@@ -1,6 +1,7 @@
 // The shadow rays of one point that sees a part of an area light.
+#include "debug/projection.h"
+#include "files/scene_file.h"
 #include "report/figure.h"
-#include "report/pictures.h"
 #include "report/studio.h"
 #include <fmt/format.h>
 
@@ -8,15 +9,21 @@ namespace report {
 namespace {
 
     constexpr glm::ivec2 size { 520, 390 };
-    constexpr glm::ivec2 pixel { 150, 120 }; // in the border of the sphere's shadow
+    const glm::vec3 pointInBorder { 0.755f, -0.3f, -0.27f }; // of the ball's shadow on the ground
 
-    // A submission that has a visibilityOfLightSample of its own draws them itself: then all that it draws is taken.
+    // What is drawn on the way to a light, but for the boxes of the tree. A submission that has a
+    // visibilityOfLightSample of its own draws shadow rays itself: then all of its rays are taken.
     std::vector<debug::Shape> shadowRaysOf(const worker::DebugRay& ray)
     {
+        std::vector<debug::Shape> rays;
+        std::ranges::copy_if(ray.shapes, std::back_inserter(rays), [](const debug::Shape& shape) {
+            return std::holds_alternative<debug::DrawnRay>(shape.drawn)
+                || std::holds_alternative<debug::DrawnSphere>(shape.drawn);
+        });
         std::vector<debug::Shape> onTheWay;
-        std::ranges::copy_if(ray.shapes, std::back_inserter(onTheWay),
+        std::ranges::copy_if(rays, std::back_inserter(onTheWay),
             [](const debug::Shape& shape) { return shape.cause.way == debug::Way::Shadow; });
-        return onTheWay.empty() ? ray.shapes : onTheWay;
+        return onTheWay.empty() ? rays : onTheWay;
     }
 
     struct Counts {
@@ -36,42 +43,49 @@ namespace {
         return counts;
     }
 
-    // From the camera, or from the side.
-    worker::RenderRequest requestOf(glm::vec2 orbit, std::vector<std::string> settings = {})
+    worker::RenderRequest requestOf(glm::vec2 orbit = {}, std::vector<std::string> settings = {})
     {
-        settings.emplace_back("shadow_samples=32");
-        worker::RenderRequest request = sceneNamed("light_parallelogram", size, std::move(settings));
+        worker::RenderRequest request = sceneNamed("shadow_rays", size, std::move(settings));
         request.orbit = orbit;
         return request;
     }
 
+    glm::ivec2 pixelInBorder()
+    {
+        Config config = files::loadSceneFile(requestOf().scene).config;
+        config.size = size;
+        return glm::ivec2(debug::Projection(makeTrackball(config), size).point(pointInBorder).value());
+    }
+
     Drawing drawFrom(Studio& studio, Who who, const std::string& label, glm::vec2 orbit)
     {
-        worker::DebugRay ray = studio.followRay(who, requestOf(orbit), pixel);
+        worker::DebugRay ray = studio.followRay(who, requestOf(orbit), pixelInBorder());
         ray.shapes = shadowRaysOf(ray);
         return toDrawing(label, ray, studio.render(who, requestOf(orbit)));
     }
 
     Sheet drawRays(Studio& studio)
     {
-        const worker::DebugRay ray = studio.followRay(Who::Submission, requestOf({}), pixel);
+        const glm::ivec2 pixel = pixelInBorder();
+        const worker::DebugRay ray = studio.followRay(Who::Submission, requestOf(), pixel);
         const Counts counts = countColors(shadowRaysOf(ray));
         const worker::DebugRay lit = studio.followRay(Who::Submission, requestOf({}, { "shadows=false" }), pixel);
         const double visible = ray.color.y / lit.color.y;
         const std::string name = studio.nameOf(Who::Submission);
+        const glm::vec2 front { 0, 0 }, above { 45, 30 };
         Sheet sheet;
-        sheet.panels = { drawFrom(studio, Who::Submission, name, { 0, 0 }),
-            drawFrom(studio, Who::Submission, name + ", from the side", { -25, 55 }),
-            drawFrom(studio, Who::Reference, "reference", { 0, 0 }),
-            drawFrom(studio, Who::Reference, "reference, from the side", { -25, 55 }) };
-        sheet.facts = { { "scene", "light_parallelogram.toml" }, { "pixel", fmt::format("{}, {}", pixel.x, pixel.y) },
+        sheet.panels = { drawFrom(studio, Who::Submission, name, front),
+            drawFrom(studio, Who::Submission, name + ", from above", above),
+            drawFrom(studio, Who::Reference, "reference", front),
+            drawFrom(studio, Who::Reference, "reference, from above", above) };
+        sheet.facts = { { "scene", "shadow_rays.toml" }, { "pixel", fmt::format("{}, {}", pixel.x, pixel.y) },
             { "samples", "1 a pixel, 32 a light" }, { "seed", "1" } };
         sheet.claims = {
             { fmt::format("{} rays reach the light (green), {} are blocked (red); the point has {:.0f} % of "
                           "the brightness that it has without shadows, and {:.0f} % of the rays are green.",
                   counts.green, counts.red, 100.0 * visible, 100.0 * counts.greenShare()),
                 counts.green > 0 && counts.red > 0 && std::abs(visible - counts.greenShare()) < 0.1 }
-        }; // the light is brighter at one end
+        }; // light comes in at angles that differ a little
         sheet.data = { { "green", counts.green }, { "red", counts.red }, { "visible", visible } };
         return sheet;
     }

@@ -49,6 +49,7 @@ namespace {
                     rendering.seconds, rmse(reference, old), rmse(old, proposed.picture)) });
             isOwn = isOwn && proposed.isOwn;
         }
+        sheet.facts.push_back({ "alpha of the panes", "1, 0.75, 0.5, 0.25, 0, from left to right" });
         sheet.facts.push_back({ "samples", "1 a pixel" });
         if (!isOwn)
             sheet.facts.push_back({ "proposed formula", "the reference's: this code does not ask for it" });
