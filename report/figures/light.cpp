@@ -64,15 +64,14 @@ namespace {
     {
         std::vector<std::vector<double>> points;
         for (int x = 0; x < size.x; ++x)
-            if (const double share = shares[static_cast<std::size_t>(row * size.x + x)]; share >= 0.0)
-                points.push_back({ static_cast<double>(x), share });
+            points.push_back({ static_cast<double>(x), shares[static_cast<std::size_t>(row * size.x + x)] });
         return points;
     }
 
     Sheet hardAgainstSoft(Studio& studio)
     {
         constexpr glm::ivec2 size { 520, 390 };
-        constexpr int row = 150;
+        constexpr int row = 215;
         std::vector<Picture> pictures;
         std::vector<std::size_t> penumbras;
         std::string blocks, lines;
@@ -83,8 +82,8 @@ namespace {
             const auto shares = visibleShares(shadows, studio.render(Who::Submission, request));
             penumbras.push_back(numInPenumbra(shares));
             blocks += dataBlock(kind.name, alongRow(shares, size, row));
-            lines += fmt::format("{} ${} using 1:2 with lines linetype {} title \"{}\"",
-                pictures.empty() ? "plot" : ",", kind.name, pictures.size() + 1, kind.title);
+            lines += fmt::format("{} ${} using 1:($2 < 0 ? NaN : $2) with lines linetype {} title \"{}\"",
+                pictures.empty() ? "plot" : ",", kind.name, pictures.size() + 1, kind.name);
             pictures.push_back(toPicture(kind.title, std::move(shadows)));
         }
         for (Picture& picture : pictures)

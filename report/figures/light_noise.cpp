@@ -52,7 +52,8 @@ plot {:.4g} / sqrt(x) with lines linetype 7 dashtype 2 title "slope -1/2", \
         const auto render = [&](Who who, int numSamples) {
             const worker::RenderRequest request
                 = sceneNamed("light_parallelogram", size, { fmt::format("shadow_samples={}", numSamples) });
-            return toPicture(fmt::format("{} samples", numSamples), studio.render(who, request));
+            return toPicture(
+                fmt::format("{} sample{}", numSamples, numSamples == 1 ? "" : "s"), studio.render(who, request));
         };
         const Picture truth = render(Who::Reference, 1024);
         Sheet sheet;

@@ -55,16 +55,16 @@ namespace {
                 + dataBlock("second", histogram(samples, 1)) + R"gp(
 mean = 100
 set multiplot
-set lmargin at screen 0.13; set rmargin at screen 0.78; set bmargin at screen 0.12; set tmargin at screen 0.77
+set lmargin at screen 0.15; set rmargin at screen 0.78; set bmargin at screen 0.12; set tmargin at screen 0.77
 set xrange [0:1]; set yrange [0:1]; set xtics 0.25; set ytics 0.25
-set xlabel "along the first edge"; set ylabel "along the second edge"
+set xlabel "along the first edge"; set ylabel "along the second edge" offset 1
 plot $samples using 1:2:3 with points pointtype 7 pointsize 0.28 linecolor rgb variable notitle
 unset xlabel; unset ylabel; set style fill solid 0.75 noborder; set boxwidth 0.042
 set bmargin at screen 0.79; set tmargin at screen 0.97
-set yrange [0:150]; set ytics (0, mean); set format x ""
+set yrange [0:150]; set ytics (mean); set format x ""
 plot $first using 1:2 with boxes linetype 7 notitle, mean with lines linetype 1 linewidth 1 notitle
 set lmargin at screen 0.8; set rmargin at screen 0.98; set bmargin at screen 0.12; set tmargin at screen 0.77
-set xrange [0:150]; set yrange [0:1]; set xtics (0, mean); set format x "%g"; set ytics 0.25; set format y ""
+set xrange [0:150]; set yrange [0:1]; set xtics (mean); set format x "%g"; set ytics 0.25; set format y ""
 set arrow from mean, 0 to mean, 1 nohead linetype 1 linewidth 1 front
 plot $second using ($2 / 2):1:($2 / 2):(0.021) with boxxyerror linetype 7 notitle
 unset multiplot

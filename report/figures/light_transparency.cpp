@@ -117,7 +117,7 @@ namespace {
                 + fmt::format(R"gp(kd = {:.9g}
 set xrange [-0.02:1.02]; set yrange [-0.03:1.05]; set xlabel "alpha"; set ylabel "light that is left"
 set key outside right top Left reverse width -6; set xtics 0.25; set ytics 0.25
-plot kd * (1 - x) with lines linetype 1 title "old: kd (1 - α)", \
+plot [0:1] kd * (1 - x) with lines linetype 1 title "old: kd (1 - α)", \
      kd * x + (1 - x) with lines linetype 2 title "proposed, t = 1 - α", \
      kd * (1 - x) + x with lines linetype 4 title "proposed, t = α", \
      1 - x with lines linetype 7 dashtype 2 title "a ray passed through: 1 - α", \

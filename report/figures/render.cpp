@@ -50,7 +50,7 @@ namespace {
             dataBlock("own", toRows(own)) + dataBlock("reference", toRows(reference))
                 + fmt::format(R"gp(
 set size square; set border 15; set xrange [0:1]; set yrange [0:1]; set xtics 0.2; set ytics 0.2
-set grid xtics ytics linecolor rgb "#7f8a99" linewidth 1 dashtype 1
+set grid xtics ytics linecolor rgb "#7f8a99" linewidth 1.2 dashtype solid
 set key outside top center horizontal
 plot $reference using 1:2 with points linetype 7 pointtype 6 pointsize 1.5 title "reference", \
      $own using 1:2 with points linetype 1 title {}, {}

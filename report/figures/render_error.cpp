@@ -66,6 +66,7 @@ plot $uniform using 1:2 with linespoints linetype 1 title "uniform, slope {:.2f}
 
     Sheet drawError(Studio& studio)
     {
+        (void)measure(studio, worker::Strategy::Uniform); // the first time takes longer
         const Curve uniform = measure(studio, worker::Strategy::Uniform);
         const Curve stratified = measure(studio, worker::Strategy::Stratified);
         const bench::Slope ofUniform = slopeOf(uniform), ofStratified = slopeOf(stratified);
