@@ -36,6 +36,7 @@ namespace {
                 kind.name, own.seconds, rmse(reference, picture));
             sheet.facts.push_back({ kind.title, numbers });
             sheet.panels.emplace_back(Slider { reference, picture });
+            sheet.data[kind.name] = rmse(reference, picture);
         }
         return sheet;
     }
