@@ -43,7 +43,7 @@ void printPdf(const fs::path& page, const fs::path& pdf)
         "--generate-pdf-document-outline", "--user-data-dir=" + profile.path().string(),
         "--print-to-pdf=" + fs::absolute(pdf).string(), "file://" + fs::absolute(page).string() });
     if (!fs::exists(pdf))
-        throw std::runtime_error("Chromium printed no " + pdf.string());
+        throw ProgramFailed("Chromium printed no " + pdf.string());
 }
 
 }

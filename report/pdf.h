@@ -3,7 +3,7 @@
 
 namespace report {
 
-// Prints a page by Chromium. Throws std::runtime_error.
+// Prints a page by Chromium. Throws ProgramFailed.
 void printPdf(const std::filesystem::path& page, const std::filesystem::path& pdf);
 
 }

@@ -11,7 +11,7 @@ struct Options {
 };
 
 // Draws what is new and writes the page and the PDF; tells on stdout what became of each figure. Throws files::Error
-// for a folder that is none, and std::runtime_error for a program that is missing or fails.
+// for a folder that is none, and ProgramFailed.
 void makeReport(Options options);
 
 }

@@ -24,8 +24,7 @@ struct Text {
 // Puts the templates there that are missing; what is there stays as it is.
 void putTemplates(const std::filesystem::path& folder);
 
-// Reads a section's text. Pandoc turns it into HTML, formulas into MathML. Throws files::Error, and std::runtime_error
-// where Pandoc fails.
+// Reads a section's text. Pandoc turns it into HTML, formulas into MathML. Throws files::Error, and ProgramFailed.
 [[nodiscard]] Text readText(const Section& section, const std::filesystem::path& folder);
 
 // The questions in a Markdown text, each with what stands under it; comments count for nothing.
