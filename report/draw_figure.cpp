@@ -1,6 +1,7 @@
 #include "report/draw_figure.h"
 #include "files/text.h"
 #include "report/figure_file.h"
+#include "report/program.h"
 #include "submission/digest.h"
 #include "submission/paths.h"
 #include <algorithm>
@@ -54,6 +55,8 @@ namespace {
             return drawn;
         } catch (const NotWritten& stubs) {
             return { { "state", "not written" }, { "message", stubs.what() } };
+        } catch (const ProgramFailed&) { // is none of the submission's faults
+            throw;
         } catch (const std::exception& error) { // a crash, an endless loop, an answer that is none
             return { { "state", "failed" }, { "message", error.what() } };
         }

@@ -14,8 +14,8 @@ namespace report {
 //    "facts": [[name, value]], "claims": [{"text", "holds"}], "stubs": [function], "data"}
 // Sizes are those of the PNG in pixels.
 
-// Writes a sheet's pictures and returns "columns", "panels", "facts", "claims" and "data". Throws files::Error, and
-// std::runtime_error where gnuplot refuses a script.
+// Writes a sheet's pictures and returns "columns", "panels", "facts", "claims" and "data". Throws files::Error and
+// ProgramFailed.
 [[nodiscard]] nlohmann::json saveSheet(
     const std::filesystem::path& folder, const std::string& name, const Sheet& sheet);
 

@@ -1,7 +1,6 @@
 #include "report/program.h"
 #include <array>
 #include <cstdio>
-#include <stdexcept>
 
 namespace report {
 
@@ -21,13 +20,13 @@ std::string runProgram(const std::vector<std::string>& words)
         command += quoted(word) + " ";
     FILE* const pipe = popen((command + "2>&1 </dev/null").c_str(), "r");
     if (!pipe)
-        throw std::runtime_error(words.front() + " cannot be started");
+        throw ProgramFailed(words.front() + " cannot be started");
     std::string printed;
     std::array<char, 4096> buffer {};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
         printed.append(buffer.data(), count);
     if (pclose(pipe) != 0)
-        throw std::runtime_error(words.front() + " failed: " + printed);
+        throw ProgramFailed(words.front() + " failed: " + printed);
     return printed;
 }
 

@@ -1,65 +1,35 @@
 // ./raywork report: draws the figures of a submission, and makes a page and a PDF of them and of what its author
 // writes.
 #include "app/run_command.h"
-#include "report/draw_figure.h"
-#include "submission/named_folder.h"
-#include "submission/paths.h"
-#include "submission/submission.h"
-#include <fmt/core.h>
+#include "report/program.h"
+#include "report/report.h"
 
-namespace {
-
-namespace fs = std::filesystem;
-
-struct Options {
-    std::string submission = "student";
-    std::string output = "report-out";
-    std::string only;
-};
-
-void declare(CLI::App& cli, Options& options)
+static void declare(CLI::App& cli, report::Options& options)
 {
     cli.add_option("submission", options.submission, "Whose code: student, reference, or a submission's folder")
         ->capture_default_str();
-    cli.add_option("-o,--output", options.output, "The folder of the report")->capture_default_str();
-    cli.add_option(
-        "--only", options.only, "Draw this figure, such as texture.bilinear, or a section's, such as texture");
-    cli.footer("Exit codes: 0 done, 2 bad input, 69 a program is missing.");
+    cli.add_option("-o,--output", options.output, "The folder of the report [the submission's name, -report]");
+    cli.add_option("--only", options.only, "Draw this figure alone, such as texture.bilinear, or a section's");
+    cli.footer("What you write goes into the submission's report/*.md, which the first call puts there.\n"
+               "A figure in which the code fails says so in its place.\n"
+               "Exit codes: 0 done, 2 bad input, 69 gnuplot, Pandoc or Chromium is missing or failed.");
 }
 
-report::Subject subjectOf(const Options& options)
+static int run(const report::Options& options)
 {
-    const fs::path folder = submission::namedFolder(options.submission);
-    submission::Submission built { folder };
-    report::Subject subject;
-    subject.name = fs::absolute(folder).lexically_normal().filename().string();
-    subject.submission = built.buildWholeWorker("figures");
-    subject.reference = fs::path(submission::buildDirectory) / "report" / "reference-figures";
-    subject.results = { folder / "report", options.output };
-    return subject;
-}
-
-int run(const Options& options)
-{
-    const report::Subject subject = subjectOf(options);
-    const fs::path figures = fs::path(options.output) / "figures";
-    fs::create_directories(figures);
-    for (const report::Figure& figure : report::Figure::all())
-        if (options.only.empty() || options.only == figure.name || options.only == figure.section)
-            if (canBeDrawn(figure, subject)) {
-                const nlohmann::json drawn = drawFigure(figure, subject, figures);
-                fmt::print(
-                    "{}: {} {}\n", figure.name, drawn.at("state").get<std::string>(), drawn.value("message", ""));
-            }
-    return app::Success;
-}
-
+    try {
+        report::makeReport(options);
+        return app::Success;
+    } catch (const report::ProgramFailed& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return app::Unavailable;
+    }
 }
 
 int main(int argc, char** argv)
 {
     CLI::App cli { "Draws the figures of a submission, and makes a report of them.", "./raywork report" };
-    Options options;
+    report::Options options;
     declare(cli, options);
     return app::runCommand(cli, argc, argv, [&] { return run(options); });
 }

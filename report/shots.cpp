@@ -42,6 +42,7 @@ Sheet againstReference(Studio& studio, const worker::RenderRequest& request)
     const Picture own = toPicture(studio.nameOf(Who::Submission), rendering);
     const Picture reference = toPicture(studio.nameOf(Who::Reference), studio.render(Who::Reference, request));
     Sheet sheet;
+    sheet.columns = 1;
     sheet.panels = { Slider { reference, own } };
     sheet.facts = factsOf(request, rendering);
     sheet.facts.push_back(errorAgainst(reference, own));

@@ -95,7 +95,8 @@ namespace {
 
     Sheet drawDebugRay(Studio& studio)
     {
-        auto request = sceneNamed("transparency", { 520, 390 });
+        auto request
+            = sceneNamed("transparency", { 520, 390 }, { "accel_structure=false" }); // it draws spheres as well
         request.orbit = { 15, 60 };
         const glm::ivec2 throughAllPanes { 250, 206 };
         const worker::DebugRay ray = studio.followRay(Who::Submission, request, throughAllPanes);

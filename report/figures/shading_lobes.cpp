@@ -134,11 +134,10 @@ plot NaN
             dataBlock("lobes", rows) + R"plot(
 set xrange [-90:90]; set yrange [0:1.05]; set xtics 30; set xlabel "angle from the normal, degrees"
 set ylabel "specular term" offset 1; set key at graph 0.98, 0.97 right top
-set label "mirrored\ndirection" at -40, 1.0 offset -1, 0 right textcolor rgb "#5d6878"
 plot $lobes using 1:2 with lines linetype 1 title "Phong, shininess 10", \
      $lobes using 1:3 with lines linetype 2 title "Blinn-Phong, shininess 10", \
-     $lobes using 1:4 with lines linetype 1 dashtype 2 title "Phong, shininess 40", \
-     $lobes using 1:5 with lines linetype 2 dashtype 2 title "Blinn-Phong, shininess 40", \
+     $lobes using 1:4 with lines linetype 6 title "Phong, shininess 40", \
+     $lobes using 1:5 with lines linetype 5 title "Blinn-Phong, shininess 40", \
      $lobes using 1:2:(sprintf("%g°: Phong %.3f, Blinn-Phong %.3f", $1, $2, $3)) every 5 with labels hypertext \
          point linetype 1 pointsize 0.3 notitle, \
      $lobes using 1:3:(sprintf("%g°: Phong %.3f, Blinn-Phong %.3f", $1, $2, $3)) every 5 with labels hypertext \
