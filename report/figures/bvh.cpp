@@ -31,13 +31,6 @@ namespace {
         });
     }
 
-    std::vector<Fact> factsOfRay(int scale)
-    {
-        return { { "scene", "monkey.toml" },
-            { "pixel",
-                fmt::format("{}, {} of {} × {}", scale * pixel.x, scale * pixel.y, scale * size.x, scale * size.y) } };
-    }
-
     // The boxes' colours in the order visited.
     Picture strip(const std::vector<debug::DrawnBox>& boxes)
     {
@@ -77,7 +70,7 @@ namespace {
 
         Sheet sheet { .panels = { drawnBy(studio, Who::Submission, ray, 1),
                           drawnBy(studio, Who::Reference, expected, 1), strip(boxes), strip(theirs) },
-            .facts = factsOfRay(1) };
+            .facts = factsOfRay(monkeyFromTheSide(1), pixel) };
         std::vector<float> greens;
         for (const debug::DrawnBox& box : boxes)
             greens.push_back(box.color.y);
@@ -139,7 +132,7 @@ namespace {
 
         Sheet sheet { .panels = { hitDrawnBy(studio, Who::Submission, ray, crossings),
                           hitDrawnBy(studio, Who::Reference, expected, crossings) },
-            .facts = factsOfRay(magnification) };
+            .facts = factsOfRay(monkeyFromTheSide(magnification), magnification * pixel) };
         std::vector<float> distances;
         std::vector<std::size_t> drawn;
         for (const Crossing& crossing : crossings) {

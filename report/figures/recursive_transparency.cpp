@@ -112,8 +112,7 @@ namespace {
             worst = std::max(worst, glm::distance(drawn, kd * alpha));
             sheet.data["distances"].push_back(glm::distance(drawn, kd * alpha));
         }
-        sheet.facts = { { "scene", "transparency.toml" },
-            { "pixel", fmt::format("{}, {}", throughAllPanes.x, throughAllPanes.y) } };
+        sheet.facts = factsOfRay(request, throughAllPanes);
         sheet.claims
             = { { fmt::format("The ray goes through {} surfaces; the spheres' colours are at most {:.2g} from kd "
                               "· alpha.",

@@ -11,11 +11,6 @@
 namespace report {
 namespace {
 
-    std::vector<Fact> factsOfRay(const std::string& scene, glm::ivec2 pixel)
-    {
-        return { { "scene", scene + ".toml" }, { "pixel", fmt::format("{}, {}", pixel.x, pixel.y) } };
-    }
-
     // The first lookup on the path that deep. Without one there is nothing to show, perhaps for want of other
     // functions.
     worker::TextureLookup lookupAt(const Studio& studio, const worker::DebugRay& ray, int bounce)
@@ -60,7 +55,7 @@ namespace {
         const Stage stage { sceneNamed("texture_nearest", size) };
         Sheet sheet { .panels
             = { textureSpace("nearest", nearest, stage.scene()), textureSpace("bilinear", bilinear, stage.scene()) },
-            .facts = factsOfRay("texture_nearest", pixel) };
+            .facts = factsOfRay(sceneNamed("texture_nearest", size), pixel) };
         sheet.claims
             = { { fmt::format("Nearest takes {} texel; bilinear takes {}, with weights whose sum is {:.4f}; the "
                               "mean of their centres is {:.1g} texels from the hit.",
@@ -87,7 +82,7 @@ namespace {
         const worker::TextureLookup lookup = lookupAt(studio, ray, 1);
         Sheet sheet { .panels = { fromAbove(studio, request, ray),
                           textureSpace("the hit in the mirror, bilinear", lookup, Stage(request).scene()) },
-            .facts = factsOfRay("texture_in_mirror", inMirror) };
+            .facts = factsOfRay(request, inMirror) };
         sheet.claims
             = { { fmt::format("The ray meets the mirror, and the texture after its first turn: {} texels took part, "
                               "with weights whose sum is {:.4f}.",
