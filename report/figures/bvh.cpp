@@ -140,11 +140,10 @@ namespace {
             if (std::ranges::any_of(triangles, [&](const auto& triangle) { return isOf(triangle, crossing); }))
                 drawn.push_back(distances.size());
         }
-        sheet.claims
-            = { { fmt::format("The ray's way leads through {} triangles, at t = {:.2f}; drawn, in white, is {}: "
-                              "number {}. The others' outlines (blue) are the report's.",
-                      distances.size(), fmt::join(distances, ", "), triangles.size(), fmt::join(drawn, ", ")),
-                triangles.size() == 1 && drawn == std::vector<std::size_t> { 1 } && distances.size() > 1 } };
+        sheet.claims = { { fmt::format("The ray's way leads through {} triangles, at t = {:.2f}. The code draws {}, in "
+                                       "white: number {}. The outlines in blue are the report's.",
+                               distances.size(), fmt::join(distances, ", "), triangles.size(), fmt::join(drawn, ", ")),
+            triangles.size() == 1 && drawn == std::vector<std::size_t> { 1 } && distances.size() > 1 } };
         sheet.data = { { "t", distances }, { "drawn", drawn }, { "triangles", triangles.size() } };
         return sheet;
     }
