@@ -18,7 +18,7 @@ namespace {
         static const std::string ours = submission::Digest()
                                             .addFile("/proc/self/exe")
                                             .addFolder(fs::path(submission::sourceDirectory) / "scenes")
-                  .addFolder(fs::path(submission::sourceDirectory) / "report" / "scenes")
+                                            .addFolder(fs::path(submission::sourceDirectory) / "report" / "scenes")
                                             .hex();
         submission::Digest digest;
         digest.add(figure.name).add(ours).add(subject.name).addFile(subject.submission).addFile(subject.reference);
