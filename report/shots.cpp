@@ -10,8 +10,9 @@ namespace report {
 
 worker::RenderRequest sceneNamed(const std::string& name, glm::ivec2 size, std::vector<std::string> settings)
 {
+    const std::filesystem::path root = submission::sourceDirectory, file = name + ".toml";
     worker::RenderRequest request;
-    request.scene = (std::filesystem::path(submission::sourceDirectory) / "scenes" / (name + ".toml")).string();
+    request.scene = exists(root / "scenes" / file) ? root / "scenes" / file : root / "report" / "scenes" / file;
     request.size = size;
     request.settings = std::move(settings);
     return request;

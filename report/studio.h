@@ -68,7 +68,7 @@ private:
     std::vector<std::string> m_stubs;
 };
 
-// A scene of scenes/ in that size, with "name=value" in place of what the file says.
+// A scene of scenes/, or of report/scenes/, in that size, with "name=value" in place of what the file says.
 [[nodiscard]] worker::RenderRequest sceneNamed(
     const std::string& name, glm::ivec2 size, std::vector<std::string> settings = {});
 

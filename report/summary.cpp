@@ -70,27 +70,24 @@ namespace {
             scoreOf(grade), rows);
     }
 
-    std::string cell(const json& value)
+    std::string stressRow(const std::string& name, const json& sum)
     {
-        if (value.is_number_float())
-            return fmt::format("{:.4g}", value.get<double>());
-        return escaped(value.is_string() ? value.get<std::string>() : value.dump());
+        return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.2g}</td></tr>", escaped(name),
+            sum.at("cases").get<std::size_t>(), sum.at("failed").get<std::size_t>(),
+            sum.at("largest_error_ulps").get<double>());
     }
 
-    // Any object: its plain values, and the plain values of the objects in it, a row each.
+    // As `raywork stress --json` writes it.
     std::string stressTable(const json& stress)
     {
-        std::string rows;
-        for (const auto& [name, value] : stress.items())
-            if (value.is_primitive())
-                rows += fmt::format("<tr><td>{}</td><td>{}</td></tr>", escaped(name), cell(value));
-            else if (value.is_object())
-                for (const auto& [inner, number] : value.items())
-                    if (number.is_primitive())
-                        rows += fmt::format(
-                            "<tr><td>{} · {}</td><td>{}</td></tr>", escaped(name), escaped(inner), cell(number));
-        return "<div class=\"panel table\"><table><thead><tr><th>Stress</th><th></th></tr></thead><tbody>" + rows
-            + "</tbody></table></div>\n";
+        std::string rows = stressRow("all", stress);
+        for (const Section& section : sections)
+            if (const auto sum = stress.at("features").find(section.name); sum != stress.at("features").end())
+                rows += stressRow(section.title, *sum);
+        return "<div class=\"panel table\"><table "
+               "class=\"stress\"><thead><tr><th>Stress</th><th>cases</th><th>failed</th>"
+               "<th>ulps</th></tr></thead><tbody>"
+            + rows + "</tbody></table></div>\n";
     }
 
     // A file that is no such result is said to be none, rather than stop the report.
