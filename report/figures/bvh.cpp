@@ -31,13 +31,6 @@ namespace {
         });
     }
 
-    std::vector<Fact> factsOfRay(int scale)
-    {
-        return { { "scene", "monkey.toml" },
-            { "pixel",
-                fmt::format("{}, {} of {} × {}", scale * pixel.x, scale * pixel.y, scale * size.x, scale * size.y) } };
-    }
-
     // The boxes' colours in the order visited.
     Picture strip(const std::vector<debug::DrawnBox>& boxes)
     {
@@ -77,7 +70,7 @@ namespace {
 
         Sheet sheet { .panels = { drawnBy(studio, Who::Submission, ray, 1),
                           drawnBy(studio, Who::Reference, expected, 1), strip(boxes), strip(theirs) },
-            .facts = factsOfRay(1) };
+            .facts = factsOfRay(monkeyFromTheSide(1), pixel) };
         std::vector<float> greens;
         for (const debug::DrawnBox& box : boxes)
             greens.push_back(box.color.y);
@@ -139,7 +132,7 @@ namespace {
 
         Sheet sheet { .panels = { hitDrawnBy(studio, Who::Submission, ray, crossings),
                           hitDrawnBy(studio, Who::Reference, expected, crossings) },
-            .facts = factsOfRay(magnification) };
+            .facts = factsOfRay(monkeyFromTheSide(magnification), magnification * pixel) };
         std::vector<float> distances;
         std::vector<std::size_t> drawn;
         for (const Crossing& crossing : crossings) {
@@ -147,11 +140,10 @@ namespace {
             if (std::ranges::any_of(triangles, [&](const auto& triangle) { return isOf(triangle, crossing); }))
                 drawn.push_back(distances.size());
         }
-        sheet.claims
-            = { { fmt::format("The ray's way leads through {} triangles, at t = {:.2f}; drawn, in white, is {}: "
-                              "number {}. The others' outlines (blue) are the report's.",
-                      distances.size(), fmt::join(distances, ", "), triangles.size(), fmt::join(drawn, ", ")),
-                triangles.size() == 1 && drawn == std::vector<std::size_t> { 1 } && distances.size() > 1 } };
+        sheet.claims = { { fmt::format("The ray's way leads through {} triangles, at t = {:.2f}. The code draws {}, in "
+                                       "white: number {}. The outlines in blue are the report's.",
+                               distances.size(), fmt::join(distances, ", "), triangles.size(), fmt::join(drawn, ", ")),
+            triangles.size() == 1 && drawn == std::vector<std::size_t> { 1 } && distances.size() > 1 } };
         sheet.data = { { "t", distances }, { "drawn", drawn }, { "triangles", triangles.size() } };
         return sheet;
     }

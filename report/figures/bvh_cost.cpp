@@ -98,7 +98,8 @@ namespace {
 
     Cost costOf(Studio& studio, const std::string& scene)
     {
-        const auto request = sceneNamed(scene, { 400, 300 }, { "shadows=false", "reflections=false" });
+        const auto request
+            = sceneNamed(scene, { 400, 300 }, { "shadows=false", "reflections=false", "shadow_samples=1" });
         return { studio.ask<TreeFacts>(Who::Submission, "figures.tree", request),
             studio.render(Who::Submission, request).seconds, studio.render(Who::Reference, request).seconds };
     }

@@ -25,6 +25,9 @@ template <typename Keep> [[nodiscard]] worker::DebugRay onlyDrawn(worker::DebugR
     return ray;
 }
 
+// What the ray was, so that ./raywork render --debug-ray follows it again.
+[[nodiscard]] std::vector<Fact> factsOfRay(const worker::RenderRequest& request, glm::ivec2 pixel);
+
 // A part of a drawing, as crop for pictures.
 [[nodiscard]] Drawing crop(const Drawing& drawing, glm::ivec2 from, glm::ivec2 size);
 

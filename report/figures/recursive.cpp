@@ -124,8 +124,7 @@ namespace {
 
         Sheet sheet { .panels = { rayDrawing(studio, Who::Submission, request, ray),
                           rayDrawing(studio, Who::Reference, request, expected) } };
-        sheet.facts
-            = { { "scene", "texture_in_mirror.toml" }, { "pixel", fmt::format("{}, {}", onMirror.x, onMirror.y) } };
+        sheet.facts = factsOfRay(request, onMirror);
         sheet.claims
             = { { fmt::format("Drawn are {} normals in yellow, {} reflected rays in green and {} directions to "
                               "lights in red; the first ray comes in at {:.2f}° and leaves at {:.2f}°.",

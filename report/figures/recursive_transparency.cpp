@@ -95,7 +95,8 @@ namespace {
 
     Sheet drawDebugRay(Studio& studio)
     {
-        auto request = sceneNamed("transparency", { 520, 390 });
+        auto request
+            = sceneNamed("transparency", { 520, 390 }, { "accel_structure=false" }); // it draws spheres as well
         request.orbit = { 15, 60 };
         const glm::ivec2 throughAllPanes { 250, 206 };
         const worker::DebugRay ray = studio.followRay(Who::Submission, request, throughAllPanes);
@@ -111,8 +112,7 @@ namespace {
             worst = std::max(worst, glm::distance(drawn, kd * alpha));
             sheet.data["distances"].push_back(glm::distance(drawn, kd * alpha));
         }
-        sheet.facts = { { "scene", "transparency.toml" },
-            { "pixel", fmt::format("{}, {}", throughAllPanes.x, throughAllPanes.y) } };
+        sheet.facts = factsOfRay(request, throughAllPanes);
         sheet.claims
             = { { fmt::format("The ray goes through {} surfaces; the spheres' colours are at most {:.2g} from kd "
                               "· alpha.",

@@ -11,18 +11,16 @@
 namespace report {
 namespace {
 
-    std::vector<Fact> factsOfRay(const std::string& scene, glm::ivec2 pixel)
-    {
-        return { { "scene", scene + ".toml" }, { "pixel", fmt::format("{}, {}", pixel.x, pixel.y) } };
-    }
-
-    // The first lookup on the path that deep; throws if there is none.
-    worker::TextureLookup lookupAt(const worker::DebugRay& ray, int bounce)
+    // The first lookup on the path that deep. Without one there is nothing to show, perhaps for want of other
+    // functions.
+    worker::TextureLookup lookupAt(const Studio& studio, const worker::DebugRay& ray, int bounce)
     {
         const auto isIt = [&](const worker::TextureLookup& lookup) {
             return lookup.cause == debug::Cause { static_cast<int16_t>(bounce), debug::Way::Path };
         };
         const auto found = std::ranges::find_if(ray.lookups, isIt);
+        if (found == ray.lookups.end() && !studio.stubs().empty())
+            throw NotWritten(studio.stubs());
         if (found == ray.lookups.end())
             throw std::runtime_error(fmt::format("no texture is looked up where the ray has turned {} times", bounce));
         return *found;
@@ -51,13 +49,13 @@ namespace {
         const glm::ivec2 size { 520, 348 }, pixel { 199, 232 };
         const auto ask = [&](const std::string& bilinear) {
             const auto request = sceneNamed("texture_nearest", size, { "bilinear_filtering=" + bilinear });
-            return lookupAt(studio.followRay(Who::Submission, request, pixel), 0);
+            return lookupAt(studio, studio.followRay(Who::Submission, request, pixel), 0);
         };
         const worker::TextureLookup nearest = ask("false"), bilinear = ask("true");
         const Stage stage { sceneNamed("texture_nearest", size) };
         Sheet sheet { .panels
             = { textureSpace("nearest", nearest, stage.scene()), textureSpace("bilinear", bilinear, stage.scene()) },
-            .facts = factsOfRay("texture_nearest", pixel) };
+            .facts = factsOfRay(sceneNamed("texture_nearest", size), pixel) };
         sheet.claims
             = { { fmt::format("Nearest takes {} texel; bilinear takes {}, with weights whose sum is {:.4f}; the "
                               "mean of their centres is {:.1g} texels from the hit.",
@@ -81,10 +79,10 @@ namespace {
         auto request = figureScene("texture_in_mirror", size);
         request.orbit = { 60, 0 };
         const worker::DebugRay ray = studio.followRay(Who::Submission, request, inMirror);
-        const worker::TextureLookup lookup = lookupAt(ray, 1);
+        const worker::TextureLookup lookup = lookupAt(studio, ray, 1);
         Sheet sheet { .panels = { fromAbove(studio, request, ray),
                           textureSpace("the hit in the mirror, bilinear", lookup, Stage(request).scene()) },
-            .facts = factsOfRay("texture_in_mirror", inMirror) };
+            .facts = factsOfRay(request, inMirror) };
         sheet.claims
             = { { fmt::format("The ray meets the mirror, and the texture after its first turn: {} texels took part, "
                               "with weights whose sum is {:.4f}.",

@@ -43,6 +43,17 @@ namespace {
                 centre.y + (centre.y < place.y ? -0.3f : 0.3f));
     }
 
+    // As labels, which lie over the outlines.
+    std::string crossAt(const glm::vec2& place)
+    {
+        const auto cross = [&](const char* color, int width) {
+            return fmt::format(
+                "set label '' at {},{} front point pointtype 2 pointsize 2 linewidth {} linecolor rgb '{}'\n", place.x,
+                place.y, width, color);
+        };
+        return cross("black", 6) + cross("white", 2);
+    }
+
 }
 
 Plot textureSpace(const std::string& label, const worker::TextureLookup& lookup, const Scene& scene)
@@ -52,16 +63,14 @@ Plot textureSpace(const std::string& label, const worker::TextureLookup& lookup,
     const glm::vec2 place = placeOf(lookup);
     const glm::ivec2 middle = glm::clamp(glm::ivec2(glm::floor(place)), glm::ivec2(0), size - 1);
     const glm::ivec2 first = glm::max(middle - reach, glm::ivec2(0)), end = glm::min(middle + reach + 1, size);
-    std::string script = dataBlock("texels", cellsOf(image, first, end)) + dataBlock("place", { { place.x, place.y } })
+    std::string script = dataBlock("texels", cellsOf(image, first, end))
         + fmt::format("set xrange [{}:{}]; set yrange [{}:{}]; set size ratio -1; unset grid; unset key\n"
                       "set xlabel 'u · {}'; set ylabel 'v · {}'; set tics 1; set style fill solid 1 noborder\n"
                       "set style textbox opaque noborder fillcolor rgb 'white' margins 0.4, 0.4\n",
             first.x, end.x, first.y, end.y, size.x, size.y);
     for (const debug::Texel& texel : lookup.texels)
         script += outlineOf(texel, place);
-    script += "plot $texels using 1:2:(0.5):(0.5):3 with boxxyerror linecolor rgb variable, "
-              "$place using 1:2 with points pointtype 2 pointsize 2 linewidth 6 linecolor rgb 'black', "
-              "$place using 1:2 with points pointtype 2 pointsize 2 linewidth 2 linecolor rgb 'white'\n";
+    script += crossAt(place) + "plot $texels using 1:2:(0.5):(0.5):3 with boxxyerror linecolor rgb variable\n";
     return { label, script, { 520, 400 } };
 }
 

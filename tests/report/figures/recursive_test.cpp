@@ -1,10 +1,10 @@
-#include "report/drawn.h"
+#include "report/figures/drawn.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-using namespace tests;
+using namespace report_test;
 using report::Drawing;
 using report::Picture;
 using report::Slider;
@@ -127,12 +127,4 @@ TEST_CASE("The debug ray through three panes has a sphere of kd times alpha on e
             }));
         }
     CHECK(numSpheres == 3);
-}
-
-TEST_CASE("Of the stubs, figures of recursion say which function is not written", "[report]")
-{
-    for (const char* figure : { "reflection.on_and_off", "reflection.debug", "reflection.depth" })
-        CHECK(notWritten(figure) == "renderRaySpecularComponent");
-    for (const char* figure : { "transparency.on_and_off", "transparency.debug" })
-        CHECK(notWritten(figure) == "renderRayTransparentComponent");
 }

@@ -3,16 +3,13 @@
 #include <debug/projection.h>
 #include <string>
 
-namespace tests {
+namespace report_test {
 
-// What a figure shows of the reference.
+// What a figure shows of the reference, drawn now.
 [[nodiscard]] report::Sheet drawn(const std::string& figure);
 
 // What the claims of a sheet say that does not hold; empty if all of them do. Without claims, that.
 [[nodiscard]] std::string brokenClaim(const report::Sheet& sheet);
-
-// Which functions a figure of the stubs says are not written; empty if it is drawn.
-[[nodiscard]] std::string notWritten(const std::string& figure);
 
 // The panel in that place; throws if it is of another kind.
 template <typename Panel> [[nodiscard]] const Panel& panelOf(const report::Sheet& sheet, std::size_t index)
