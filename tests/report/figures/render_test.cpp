@@ -27,7 +27,7 @@ std::vector<glm::vec2> pointsOf(const json& rows)
 
 }
 
-TEST_CASE("The grid of stratified rays has 25 points, one a cell; uniform ones leave cells empty", "[report]")
+TEST_CASE("The grid of stratified rays has 25 points, one a cell, and uniform ones leave cells empty", "[report]")
 {
     const json drawn = figure("multisampling.grid");
     checkClaims(drawn);
