@@ -37,11 +37,13 @@ namespace {
 set xrange [-1:1]; set yrange [-0.32:1.04]; set xlabel "n · l"; set ylabel "colour" offset 1; set ytics 0, 0.25
 set key at graph 0.02, 0.97 left top horizontal; set grid xtics ytics; set xtics 0.25
 rgb(r, g, b) = int(255 * r + 0.5) * 65536 + int(255 * g + 0.5) * 256 + int(255 * b + 0.5)
-plot $gradient using 1:(-0.3):(0.0052):(0.11):(rgb($2, $3, $4)) with boxxyerror fill solid linecolor rgb variable notitle, \
+plot $gradient using 1:(-0.3):(0.0052):(0.11):(rgb($2, $3, $4)) \
+         with boxxyerror fill solid linecolor rgb variable notitle, \
      $gradient using 1:2 with lines linecolor rgb "#d55e00" linewidth 2 title "red", \
      $gradient using 1:3 with lines linecolor rgb "#009e73" linewidth 2 title "green", \
      $gradient using 1:4 with lines linecolor rgb "#0072b2" linewidth 2 title "blue", \
-     $gradient using 1:2:(sprintf("n·l %.2f: (%.2f, %.2f, %.2f)", $1, $2, $3, $4)) every 20 with labels hypertext point linetype 7 notitle
+     for [channel = 2:4] $gradient using 1:channel:(sprintf("n·l %.2f: (%.2f, %.2f, %.2f)", $1, $2, $3, $4)) \
+         every 10 with labels hypertext point pointtype 7 pointsize 0.3 linecolor rgb "#626b78" notitle
 )plot",
             { 720, 300 } } };
         sheet.data = { { "rows", rows } };

@@ -38,9 +38,13 @@ namespace {
                 "linewidth {}\n",
                 a.x, a.y, b.x, b.y, color, width);
         };
+        const float height = centre.y + (centre.y < place.y ? -0.3f : 0.3f);
+        // A box of the label's own lies over its text in SVG.
         return rectangle("black", 5) + rectangle("white", 2)
-            + fmt::format("set label '{:.3f}' at {},{} center front boxed\n", texel.weight, centre.x,
-                centre.y + (centre.y < place.y ? -0.3f : 0.3f));
+            + fmt::format(
+                "set object rectangle center {0},{1} size 0.84,0.26 front fillcolor rgb 'white' fillstyle solid "
+                "noborder\nset label '{2:.3f}' at {0},{1} center front textcolor rgb '#101010'\n",
+                centre.x, height, texel.weight);
     }
 
     // As labels, which lie over the outlines.
@@ -65,8 +69,7 @@ Plot textureSpace(const std::string& label, const worker::TextureLookup& lookup,
     const glm::ivec2 first = glm::max(middle - reach, glm::ivec2(0)), end = glm::min(middle + reach + 1, size);
     std::string script = dataBlock("texels", cellsOf(image, first, end))
         + fmt::format("set xrange [{}:{}]; set yrange [{}:{}]; set size ratio -1; unset grid; unset key\n"
-                      "set xlabel 'u · {}'; set ylabel 'v · {}'; set tics 1; set style fill solid 1 noborder\n"
-                      "set style textbox opaque noborder fillcolor rgb 'white' margins 0.4, 0.4\n",
+                      "set xlabel 'u · {}'; set ylabel 'v · {}'; set tics 1; set style fill solid 1 noborder\n",
             first.x, end.x, first.y, end.y, size.x, size.y);
     for (const debug::Texel& texel : lookup.texels)
         script += outlineOf(texel, place);
