@@ -63,7 +63,7 @@ namespace {
         std::string links;
         for (const SectionContent& section : content.sections)
             links += fmt::format("<a href=\"#{}\">{}</a>\n", section.section.name, section.section.title);
-        return links;
+        return content.measurements.empty() ? links : links + "<a href=\"#measurements\">Accuracy and speed</a>\n";
     }
 
     std::string measurementsOf(const Content& content)

@@ -12,6 +12,8 @@ TEST_CASE("Figures of stubs say what is not written yet", "[report]")
     REQUIRE_FALSE(report_test::figures("student").empty());
     for (const nlohmann::json& figure : report_test::figures("student")) {
         INFO(figure.dump());
+        if (figure.at("name") == "shading.lobes") // of models that are provided
+            continue;
         CHECK(figure.at("state") == "not written");
         CHECK_FALSE(figure.at("message").get<std::string>().empty());
     }
