@@ -27,7 +27,7 @@ namespace {
         return !relative.empty() && *relative.begin() != ".." && fs::is_regular_file(path);
     }
 
-    std::string pictureOrNote(const std::string& name, const fs::path& folder)
+    std::string addressOf(const std::string& name, const fs::path& folder)
     {
         const fs::path path = folder / name;
         const std::string extension = files::lowerExtension(path);
@@ -38,12 +38,12 @@ namespace {
 
     std::string withPictures(const std::string& html, const fs::path& folder)
     {
-        static const std::regex source(R"~(<img src="([^"]*)")~");
+        static const std::regex source(R"~( src="([^"]*)")~"); // of pictures, and of what Pandoc takes for a film
         std::string filled;
         auto rest = html.begin();
         for (std::sregex_iterator found(html.begin(), html.end(), source), end; found != end; ++found) {
             filled.append(rest, html.begin() + found->position());
-            filled += "<img src=\"" + pictureOrNote((*found)[1], folder) + "\"";
+            filled += " src=\"" + addressOf((*found)[1], folder) + "\"";
             rest = html.begin() + found->position() + found->length();
         }
         return filled.append(rest, html.end());

@@ -27,7 +27,8 @@ namespace {
         const auto isPicture
             = [](const json& panel) { return panel.at("kind") == "picture" || panel.at("kind") == "slider"; };
         const auto isDrawing = [](const json& panel) { return panel.at("kind") == "drawing"; };
-        return std::ranges::any_of(panels, isDrawing) || std::ranges::none_of(panels, isPicture);
+        return figure.value("debugging", false) || std::ranges::any_of(panels, isDrawing)
+            || std::ranges::none_of(panels, isPicture);
     }
 
     std::string part(const std::string& title, const std::string& html)

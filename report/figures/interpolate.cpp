@@ -99,6 +99,7 @@ namespace {
                                flatEqual, smoothEqual, offUnit),
             smoothEqual < 0.1 * flatEqual && offUnit < 1e-5 } };
         sheet.data = { { "flat", flatEqual }, { "smooth", smoothEqual }, { "off unit", offUnit } };
+        sheet.isDebugging = true;
         return sheet;
     }
 
@@ -147,6 +148,7 @@ namespace {
                                deviation.sum, deviation.outside),
             deviation.sum <= roundings && deviation.outside <= roundings } };
         sheet.data = { { "sum", deviation.sum }, { "outside", deviation.outside } };
+        sheet.isDebugging = true;
         return sheet;
     }
 

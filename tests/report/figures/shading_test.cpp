@@ -49,7 +49,8 @@ TEST_CASE("Slider, legend, bar and lobes are there as pictures, and plots as vec
 {
     const auto kinds = [](const char* name) {
         json list = json::array();
-        for (const json& panel : figure(name).at("panels"))
+        const json whole = figure(name);
+        for (const json& panel : whole.at("panels"))
             list.push_back(panel.at("kind"));
         return list;
     };
