@@ -15,7 +15,7 @@ namespace {
     bool turn(const std::string& markdown, const fs::path& folder)
     {
         files::writeText(folder / "text.md", markdown);
-        runProgram({ "pandoc", "--from", "markdown-raw_html-raw_tex", "--to", "html5", "--mathml",
+        runProgram({ "pandoc", "--from", "markdown-raw_html-raw_tex", "--to", "html5", "--wrap=none", "--mathml",
             "--shift-heading-level-by=1", "--id-prefix=text-", "-o", (folder / "text.html").string(),
             (folder / "text.md").string() });
         return true;
@@ -38,7 +38,7 @@ namespace {
 
     std::string withPictures(const std::string& html, const fs::path& folder)
     {
-        static const std::regex source(R"~( src="([^"]*)")~"); // of pictures, and of what Pandoc takes for a film
+        static const std::regex source(R"~(\ssrc="([^"]*)")~"); // of pictures, and of what Pandoc takes for a film
         std::string filled;
         auto rest = html.begin();
         for (std::sregex_iterator found(html.begin(), html.end(), source), end; found != end; ++found) {
@@ -53,7 +53,7 @@ namespace {
 
 std::string toHtml(const std::string& markdown, const fs::path& folder)
 {
-    const std::string key = submission::Digest().add("pandoc").add(markdown).hex();
+    const std::string key = submission::Digest().add("pandoc --wrap=none").add(markdown).hex();
     const fs::path kept = submission::cached(key, [&](const fs::path& made) { return turn(markdown, made); });
     return withPictures(files::readText(kept / "text.html"), folder);
 }
