@@ -11,8 +11,11 @@ std::vector<double> truthsOf(worker::Integrand integrand)
     std::vector<double> truths;
     if (integrand == worker::Integrand::Edge || integrand == worker::Integrand::AxisEdge) {
         const worker::EdgePicture picture = worker::edgePicture(integrand);
-        for (const glm::dvec2 lower : picture.pixels)
-            truths.push_back(truth::areaOf(truth::clipToRectangle(picture.corners, lower, lower + 1.0)));
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const glm::dvec2 lower(picture.pixels[i]);
+            const truth::Polygon triangle(picture.triangles[i].begin(), picture.triangles[i].end());
+            truths.push_back(truth::areaOf(truth::clipToRectangle(triangle, lower, lower + 1.0)));
+        }
         return truths;
     }
     const worker::LitFloor floor = worker::litFloor(integrand);

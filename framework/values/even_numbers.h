@@ -11,8 +11,10 @@ namespace values {
 // Whoever asks for a number need not know; whoever knows what the next are for says so before.
 class EvenNumbers {
 public:
+    // OwenPairs: points whose coordinates are even each alone, in orders that do not depend on each other: a Latin
+    // hypercube, McKay 1979.
     // Jittered ones are even within a ray only: each of those that are expected is anywhere in a cell of its own.
-    enum class Method { Owen, Jittered };
+    enum class Method { Owen, OwenPairs, Jittered };
 
     explicit EvenNumbers(uint32_t seed, Method method = Method::Owen)
         : m_seed(seed)
@@ -41,6 +43,7 @@ private:
     [[nodiscard]] uint32_t newSeed();
     [[nodiscard]] glm::vec2 nextOf(Purpose& purpose);
     [[nodiscard]] glm::vec2 nextUnexpected();
+    [[nodiscard]] glm::vec2 pointOf(uint32_t index, uint32_t seed) const; // of a sequence
 
     uint32_t m_seed;
     Method m_method;

@@ -35,19 +35,29 @@ namespace {
         return estimates;
     }
 
+    // On a plane across the view.
+    void addTriangles(Scene& scene, const EdgePicture& picture, const Trackball& camera)
+    {
+        for (const EdgePicture::Corners& corners : picture.triangles) {
+            std::vector<glm::vec3> onPlane;
+            for (const glm::dvec2& corner : corners) {
+                const Ray ray
+                    = camera.generateRay(glm::vec2(corner) / static_cast<float>(EdgePicture::side) * 2.0f - 1.0f);
+                onPlane.push_back(ray.origin + 4.0f / glm::dot(ray.direction, camera.forward()) * ray.direction);
+            }
+            addTriangle(scene, onPlane);
+        }
+    }
+
     Estimates estimatePixels(const EstimateRequest& request)
     {
         const EdgePicture picture = edgePicture(request.integrand);
         const Trackball camera(0.87f, 4.0f);
-        std::vector<glm::vec3> corners; // on a plane across the view
-        for (const glm::dvec2& corner : picture.corners) {
-            const Ray ray = camera.generateRay(glm::vec2(corner) / static_cast<float>(EdgePicture::side) * 2.0f - 1.0f);
-            corners.push_back(ray.origin + 4.0f / glm::dot(ray.direction, camera.forward()) * ray.direction);
-        }
         Scene scene;
-        addTriangle(scene, corners);
+        addTriangles(scene, picture, camera);
         scene.lights.emplace_back(PointLight { camera.position(), glm::vec3(1.0f) });
         Features features;
+        features.enableAccelStructure = true;
         features.numPixelSamples = request.numSamples;
         features.enableJitteredSampling = request.strategy == Strategy::Stratified;
         const BVH bvh(scene, features);
@@ -55,10 +65,17 @@ namespace {
             values::EvenNumbers even(seed);
             RenderState state { scene, features, bvh,
                 request.strategy == Strategy::Owen ? Sampler(even) : Sampler(seed) };
-            return renderRays(
-                state, generatePixelRays(state, camera, picture.pixels[place], glm::ivec2(EdgePicture::side)))
-                .x;
+            const glm::ivec2 resolution(EdgePicture::side);
+            return renderRays(state, generatePixelRays(state, camera, picture.pixels[place], resolution)).x;
         });
+    }
+
+    values::EvenNumbers::Method methodOf(Strategy strategy)
+    {
+        using Method = values::EvenNumbers::Method;
+        return strategy == Strategy::Owen ? Method::Owen
+            : strategy == Strategy::Pairs ? Method::OwenPairs
+                                          : Method::Jittered;
     }
 
     Estimates estimateLight(const EstimateRequest& request)
@@ -73,8 +90,7 @@ namespace {
         HitInfo hitInfo { .normal = { 0.0f, 1.0f, 0.0f } };
         hitInfo.material.kd = glm::vec3(1.0f);
         return estimateAll(request, floor.points.size(), [&](std::size_t place, uint32_t seed) {
-            using Method = values::EvenNumbers::Method;
-            values::EvenNumbers even(seed, request.strategy == Strategy::Owen ? Method::Owen : Method::Jittered);
+            values::EvenNumbers even(seed, methodOf(request.strategy));
             even.expectPoints(request.numSamples);
             RenderState state { scene, features, bvh,
                 request.strategy == Strategy::Uniform ? Sampler(seed) : Sampler(even) };

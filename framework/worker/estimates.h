@@ -4,7 +4,8 @@
 
 namespace worker {
 
-enum class Strategy : uint32_t { Uniform, Stratified, Owen };
+// Pairs: points of two numbers, of which each is even alone. Of lights only.
+enum class Strategy : uint32_t { Uniform, Stratified, Owen, Pairs };
 
 // What the probe sampling.estimates is asked for.
 struct EstimateRequest {
