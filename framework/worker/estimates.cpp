@@ -23,15 +23,25 @@ namespace {
         mesh.material.kd = glm::vec3(1.0f);
     }
 
-    // Calls estimateAt(place, seed) for all estimates.
+    // Calls estimateAt(place, seed) for all estimates. Their time is the median of a few parts', lest what else the
+    // machine does is counted.
     template <typename EstimateAt>
     Estimates estimateAll(const EstimateRequest& request, std::size_t numPlaces, const EstimateAt& estimateAt)
     {
+        constexpr uint32_t numParts = 15;
         Estimates estimates;
-        const values::Stopwatch watch;
-        for (uint32_t i = 0; i < request.number; ++i)
-            estimates.values.push_back(estimateAt(i % numPlaces, request.seed + i));
-        estimates.seconds = watch.seconds();
+        std::vector<double> secondsEach; // an estimate, by part
+        for (uint32_t part = 0, i = 0; part < numParts; ++part) {
+            const uint32_t first = i, end = static_cast<uint32_t>(uint64_t(request.number) * (part + 1) / numParts);
+            const values::Stopwatch watch;
+            for (; i < end; ++i)
+                estimates.values.push_back(estimateAt(i % numPlaces, request.seed + i));
+            if (first < end)
+                secondsEach.push_back(watch.seconds() / (end - first));
+        }
+        const auto middle = secondsEach.begin() + static_cast<std::ptrdiff_t>(secondsEach.size() / 2);
+        std::ranges::nth_element(secondsEach, middle);
+        estimates.secondsEach = secondsEach.empty() ? 0.0 : *middle;
         return estimates;
     }
 

@@ -88,3 +88,25 @@ TEST_CASE("Even numbers, purposes and pixels do not depend on one another", "[sa
     CHECK(std::abs(ofPurposes / numPixels) < 5.0 * deviation); // once in two million by chance; the seeds are fixed
     CHECK(std::abs(ofPixels / numPixels) < 5.0 * deviation);
 }
+
+TEST_CASE("Even numbers, of pairs each coordinate is even, and they do not depend on each other", "[sampling]")
+{
+    constexpr uint32_t numPixels = 1000;
+    double products = 0.0;
+    for (uint32_t pixel = 0; pixel < numPixels; ++pixel) {
+        EvenNumbers even(pixel, EvenNumbers::Method::OwenPairs);
+        even.expectPoints(numRays);
+        std::vector<float> xs, ys;
+        for (uint32_t i = 0; i < numRays; ++i) {
+            const glm::vec2 point = even.next2d();
+            xs.push_back(point.x);
+            ys.push_back(point.y);
+            products += (double(point.x) - 0.5) * (double(point.y) - 0.5);
+        }
+        REQUIRE(isEven(xs));
+        REQUIRE(isEven(ys));
+    }
+    // The correlation of a random order of n has the deviation 1 / sqrt(n - 1), a pixel.
+    const double correlation = products * 12.0 / (numRays * numPixels);
+    CHECK(std::abs(correlation) < 5.0 / std::sqrt((numRays - 1.0) * numPixels)); // once in two million by chance
+}
