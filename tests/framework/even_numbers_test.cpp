@@ -21,20 +21,31 @@ bool isEven(std::vector<float> numbers)
     return true;
 }
 
+struct Coordinates {
+    std::vector<float> x, y;
+};
+
+// Of as many points as are expected.
+Coordinates takePoints(EvenNumbers& even)
+{
+    even.expectPoints(numRays);
+    Coordinates points;
+    for (uint32_t i = 0; i < numRays; ++i) {
+        const glm::vec2 point = even.next2d();
+        points.x.push_back(point.x);
+        points.y.push_back(point.y);
+    }
+    return points;
+}
+
 }
 
 TEST_CASE("Even numbers, where a pixel's rays begin is even", "[sampling]")
 {
     EvenNumbers even(3);
-    even.expectPoints(numRays);
-    std::vector<float> xs, ys;
-    for (uint32_t i = 0; i < numRays; ++i) {
-        const glm::vec2 point = even.next2d();
-        xs.push_back(point.x);
-        ys.push_back(point.y);
-    }
-    CHECK(isEven(xs));
-    CHECK(isEven(ys));
+    const Coordinates points = takePoints(even);
+    CHECK(isEven(points.x));
+    CHECK(isEven(points.y));
 }
 
 TEST_CASE("Even numbers, what is expected in each ray is even over all rays and within each", "[sampling]")
@@ -95,16 +106,11 @@ TEST_CASE("Even numbers, of pairs each coordinate is even, and they do not depen
     double products = 0.0;
     for (uint32_t pixel = 0; pixel < numPixels; ++pixel) {
         EvenNumbers even(pixel, EvenNumbers::Method::OwenPairs);
-        even.expectPoints(numRays);
-        std::vector<float> xs, ys;
-        for (uint32_t i = 0; i < numRays; ++i) {
-            const glm::vec2 point = even.next2d();
-            xs.push_back(point.x);
-            ys.push_back(point.y);
-            products += (double(point.x) - 0.5) * (double(point.y) - 0.5);
-        }
-        REQUIRE(isEven(xs));
-        REQUIRE(isEven(ys));
+        const Coordinates points = takePoints(even);
+        REQUIRE(isEven(points.x));
+        REQUIRE(isEven(points.y));
+        for (uint32_t i = 0; i < numRays; ++i)
+            products += (double(points.x[i]) - 0.5) * (double(points.y[i]) - 0.5);
     }
     // The correlation of a random order of n has the deviation 1 / sqrt(n - 1), a pixel.
     const double correlation = products * 12.0 / (numRays * numPixels);
