@@ -5,8 +5,8 @@
 #include "render.h"
 #include "scene.h"
 #include "values/even_numbers.h"
-#include "values/stopwatch.h"
 #include "worker/probe.h"
+#include <ctime>
 #include <framework/trackball.h>
 #include <glm/geometric.hpp>
 
@@ -23,8 +23,15 @@ namespace {
         mesh.material.kd = glm::vec3(1.0f);
     }
 
-    // Calls estimateAt(place, seed) for all estimates. Their time is the median of a few parts', lest what else the
-    // machine does is counted.
+    // That this thread had a processor: what else the machine does meanwhile does not count.
+    double secondsRun()
+    {
+        timespec time {};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
+    // Calls estimateAt(place, seed) for all estimates. Their time is the median of a few parts', as caches are shared.
     template <typename EstimateAt>
     Estimates estimateAll(const EstimateRequest& request, std::size_t numPlaces, const EstimateAt& estimateAt)
     {
@@ -33,11 +40,11 @@ namespace {
         std::vector<double> secondsEach; // an estimate, by part
         for (uint32_t part = 0, i = 0; part < numParts; ++part) {
             const uint32_t first = i, end = static_cast<uint32_t>(uint64_t(request.number) * (part + 1) / numParts);
-            const values::Stopwatch watch;
+            const double start = secondsRun();
             for (; i < end; ++i)
                 estimates.values.push_back(estimateAt(i % numPlaces, request.seed + i));
             if (first < end)
-                secondsEach.push_back(watch.seconds() / (end - first));
+                secondsEach.push_back((secondsRun() - start) / (end - first));
         }
         const auto middle = secondsEach.begin() + static_cast<std::ptrdiff_t>(secondsEach.size() / 2);
         std::ranges::nth_element(secondsEach, middle);
