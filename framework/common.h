@@ -68,6 +68,7 @@ struct ExtraFeatures {
     bool enableGlossyReflection = false;
     bool enableMipmapTextureFiltering = false;
     bool enableMotionBlur = false;
+    bool enableOwenSampling = false; // random numbers that are spread evenly, rather than independent ones
 
     uint32_t numGlossySamples = 1; // rays a glossy reflection
     uint32_t maxDepth = 6; // rays that follow one another from a pixel's on, mirrored or passed through; 6 at most

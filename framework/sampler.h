@@ -3,6 +3,10 @@
 #include <glm/vec2.hpp>
 #include <random>
 
+namespace values {
+class EvenNumbers;
+}
+
 // A stream of uniform random numbers in [0, 1), never 1. Equal seeds give equal streams.
 // PCG-XSH-RR, O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms".
 class Sampler {
@@ -12,11 +16,28 @@ public:
     {
     }
 
+    // Hands out these numbers, which are spread evenly and outlive it.
+    explicit Sampler(values::EvenNumbers& even)
+        : m_state(0)
+        , m_even(&even)
+    {
+    }
+
+    // Whom to tell what numbers are for; null if they are independent.
+    [[nodiscard]] values::EvenNumbers* even() const { return m_even; }
+
     // 24 random bits: every value is a float, and the largest is 1 - 2^-24.
-    [[nodiscard]] float next_1d() { return static_cast<float>(next() >> 8) * 0x1p-24f; }
+    [[nodiscard]] float next_1d()
+    {
+        if (m_even) [[unlikely]]
+            return nextEven1d();
+        return static_cast<float>(next() >> 8) * 0x1p-24f;
+    }
 
     [[nodiscard]] glm::vec2 next_2d()
     {
+        if (m_even) [[unlikely]]
+            return nextEven2d();
         const float x = next_1d();
         return { x, next_1d() };
     }
@@ -42,5 +63,9 @@ private:
         return (shifted >> rotation) | (shifted << (-rotation & 31));
     }
 
+    [[nodiscard]] float nextEven1d();
+    [[nodiscard]] glm::vec2 nextEven2d();
+
     uint64_t m_state;
+    values::EvenNumbers* m_even = nullptr;
 };

@@ -2,10 +2,10 @@
 #include "recursive.h"
 #include "render.h"
 #include "screen.h"
+#include "values/even_numbers.h"
 #include <tbb/parallel_for.h>
 
 namespace app {
-
 void renderPixels(const Scene& scene, const BVHInterface& bvh, const Features& features, const Trackball& camera,
     Screen& screen, uint32_t seed)
 {
@@ -14,7 +14,9 @@ void renderPixels(const Scene& scene, const BVHInterface& bvh, const Features& f
     tbb::parallel_for(0, resolution.y, [&](int y) {
         for (int x = 0; x < resolution.x; ++x) {
             const auto index = static_cast<uint32_t>(screen.indexAt(x, y));
-            RenderState state { scene, features, bvh, Sampler(seedOffset + index) };
+            values::EvenNumbers even(seedOffset + index);
+            RenderState state { scene, features, bvh,
+                features.extra.enableOwenSampling ? Sampler(even) : Sampler(seedOffset + index) };
             const std::vector<Ray> rays = generatePixelRays(state, camera, { x, y }, resolution);
             screen.setPixel(x, y, renderRays(state, rays));
         }

@@ -1,5 +1,6 @@
 #include "light.h"
 #include "scene.h"
+#include "values/even_numbers.h"
 #include <framework/variant_helper.h>
 
 glm::vec3 computeLightContribution(RenderState& state, const Ray& ray, const HitInfo& hitInfo)
@@ -8,9 +9,13 @@ glm::vec3 computeLightContribution(RenderState& state, const Ray& ray, const Hit
     const auto contribution = make_visitor(
         [&](const PointLight& light) { return computeContributionPointLight(state, light, ray, hitInfo); },
         [&](const SegmentLight& light) {
+            if (values::EvenNumbers* even = state.sampler.even())
+                even->expectNumbers(numSamples);
             return computeContributionSegmentLight(state, light, ray, hitInfo, numSamples);
         },
         [&](const ParallelogramLight& light) {
+            if (values::EvenNumbers* even = state.sampler.even())
+                even->expectPoints(numSamples);
             return computeContributionParallelogramLight(state, light, ray, hitInfo, numSamples);
         });
     glm::vec3 sum { 0.0f };
