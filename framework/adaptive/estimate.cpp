@@ -22,10 +22,10 @@ namespace {
         return std::max(up, down) / reach;
     }
 
-    // Of the mean of the quarters, as if they were independent. Quarters of evenly spread samples complement each
-    // other, so they differ more than that: the error is then two thirds of what is believed, and never more than it
-    // where the numbers are independent after all. Two halves would come closer with the former, but agree by chance
-    // too often: where sampling stops when they do, the error would be a third larger than believed with the latter.
+    // Of the quarters' mean, as if they were independent. Quarters of evenly spread samples complement each other, so
+    // that they differ more than their mean errs: by half as much again. Halves would tell more closely, but agree by
+    // chance too often: sampling that stops when they do errs by a third more than believed, where a code's numbers are
+    // independent after all; with quarters it does not.
     double varianceOfMean(const Quarters& quarters)
     {
         const double mean = std::accumulate(quarters.begin(), quarters.end(), 0.0) / 4.0;
