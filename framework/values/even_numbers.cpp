@@ -16,19 +16,19 @@ namespace {
 
 void EvenNumbers::startRay(uint32_t ray)
 {
-    m_ray = ray;
+    m_ray = m_firstRay + ray;
     m_numPurposes = 1; // the first is where in the pixel the rays begin, asked for before there are rays
     m_numbers = m_points = {};
 }
 
 void EvenNumbers::expectNumbers(uint32_t number)
 {
-    m_numbers = { newSeed(), number };
+    m_numbers = newPurpose(number);
 }
 
 void EvenNumbers::expectPoints(uint32_t number)
 {
-    m_points = { newSeed(), number };
+    m_points = newPurpose(number);
 }
 
 float EvenNumbers::next1d()
@@ -58,9 +58,16 @@ uint32_t EvenNumbers::newSeed()
     return m_seed * 0x9e3779b9u + m_numPurposes++; // owenSobol mixes it
 }
 
+// Before there are rays, each number is another ray's.
+EvenNumbers::Purpose EvenNumbers::newPurpose(uint32_t number)
+{
+    const uint32_t first = m_numPurposes == 0 ? m_ray : m_ray * number;
+    return { newSeed(), first, number, 0 };
+}
+
 glm::vec2 EvenNumbers::nextOf(Purpose& purpose)
 {
-    return pointOf(m_ray * purpose.number + purpose.numHad++, purpose.seed);
+    return pointOf(purpose.first + purpose.numHad++, purpose.seed);
 }
 
 glm::vec2 EvenNumbers::nextUnexpected()

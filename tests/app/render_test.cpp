@@ -67,6 +67,13 @@ TEST_CASE("Bad input to render ends with exit code 2 and one line that says wher
             "found the pixel 9,0, expected one of a picture of 9 x 9" },
         { "", scenes + "cube.toml --orbit up", "--orbit: found 'up', expected X,Y" },
         { "", scenes + "cube.toml --show norm", "found the quantity 'norm', expected one of color, normal, " },
+        { "", scenes + "cube.toml --error 0", "--error: found '0', expected a number above 0, at most 1" },
+        { "", scenes + "cube.toml --error 2", "--error: found '2', expected a number above 0, at most 1" },
+        { "", scenes + "cube.toml --error 1%", "--error: found '1%', expected a number" },
+        { "", scenes + "cube.toml --error nan", "--error: found 'nan', expected a number" },
+        { "", scenes + "cube.toml --time -1", "--time: found '-1', expected a number above 0" },
+        { "", scenes + "cube.toml --time soon", "--time: found 'soon', expected a number above 0" },
+        { "", scenes + "cube.toml --error 0.1 --set motion_blur=true", "found the feature motion_blur" },
         { "", scenes + "cube.toml --with no_such_folder", "no_such_folder: found no folder" },
     }));
     INFO(c.text << c.arguments);
@@ -88,6 +95,30 @@ TEST_CASE("A picture has the size asked for, and the same bytes for any number o
     const auto picture = files::loadPicture(work / "one.png");
     CHECK(picture->width == 48);
     CHECK(picture->height == 32);
+}
+
+TEST_CASE("A picture to an error says what it took and what it believes, and is the same for any number of threads",
+    "[render]")
+{
+    const std::string arguments = scenes + "cornell_box_parallelogram_light.toml --size 48x32 --error 0.02 -o '";
+    const Outcome one = render(arguments + (work / "one.png").string() + "' --threads 1");
+    REQUIRE(one.exitCode == 0);
+    CHECK_THAT(one.output, Catch::Contains(" samples a pixel, 8 to "));
+    CHECK_THAT(one.output, Catch::Contains("its error is believed to be 0.0"));
+    REQUIRE(render(arguments + (work / "many.png").string() + "'").exitCode == 0);
+    CHECK(bytesOf(work / "one.png") == bytesOf(work / "many.png"));
+
+    const Outcome both = render(arguments + (work / "one.png").string() + "' --samples 4");
+    CHECK(both.exitCode == 2);
+    CHECK_THAT(both.errors, Catch::Contains("excludes"));
+}
+
+TEST_CASE("A picture in a limited time is done, by code that is not written yet, too", "[render]")
+{
+    const std::string arguments = scenes + "cornell_box.toml --size 16x16 --with student --time 0.1 -o '";
+    const Outcome outcome = render(arguments + (work / "timed.png").string() + "'");
+    CHECK(outcome.exitCode == 0);
+    CHECK_THAT(outcome.output, Catch::Contains("8.0 samples a pixel, 8 to 8; its error is believed to be 0"));
 }
 
 TEST_CASE("The stubs render every scene's silhouette from day one", "[render]")

@@ -116,3 +116,41 @@ TEST_CASE("Even numbers, of pairs each coordinate is even, and they do not depen
     const double correlation = products * 12.0 / (numRays * numPixels);
     CHECK(std::abs(correlation) < 5.0 / std::sqrt((numRays - 1.0) * numPixels)); // once in two million by chance
 }
+
+TEST_CASE("Even numbers, a pixel's rays can come in parts", "[sampling]")
+{
+    struct Asked {
+        std::vector<glm::vec2> points;
+        std::vector<float> numbers;
+
+        void ask(EvenNumbers& even, uint32_t count)
+        {
+            even.expectPoints(count);
+            for (uint32_t i = 0; i < count; ++i)
+                points.push_back(even.next2d());
+            for (uint32_t i = 0; i < count; ++i) {
+                even.startRay(i);
+                even.expectPoints(2);
+                points.push_back(even.next2d());
+                points.push_back(even.next2d());
+                numbers.push_back(even.next1d()); // of which nobody told
+            }
+        }
+    };
+    EvenNumbers all(3);
+    Asked together, first, second;
+    together.ask(all, numRays);
+    EvenNumbers firstHalf(3), secondHalf(3, EvenNumbers::Method::Owen, numRays / 2);
+    first.ask(firstHalf, numRays / 2);
+    second.ask(secondHalf, numRays / 2);
+    first.numbers.insert(first.numbers.end(), second.numbers.begin(), second.numbers.end());
+    CHECK(first.numbers == together.numbers);
+    constexpr auto half = numRays / 2;
+    const auto part = [](const std::vector<glm::vec2>& points, uint32_t from, uint32_t to) {
+        return std::vector<glm::vec2>(points.begin() + from, points.begin() + to);
+    };
+    CHECK(part(first.points, 0, half) == part(together.points, 0, half));
+    CHECK(part(second.points, 0, half) == part(together.points, half, numRays));
+    CHECK(part(first.points, half, half + numRays) == part(together.points, numRays, 2 * numRays));
+    CHECK(part(second.points, half, half + numRays) == part(together.points, 2 * numRays, 3 * numRays));
+}
