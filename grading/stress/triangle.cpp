@@ -20,18 +20,6 @@ namespace {
         return met.isHit ? fmt::format("a hit at t = {} with normal {}", exactly(met.t), exactly(met.normal)) : "none";
     }
 
-    // Unit, towards where the ray came from, and off by no more than a cross product of rounded edges.
-    bool isNormal(const glm::vec3& came, const Crossing& crossing, const Ray& ray)
-    {
-        const double bound = 16.0 * rounding * crossing.slenderness + 4.0 * rounding;
-        const glm::dvec3 normal { came }, exact = glm::normalize(crossing.normal);
-        const double cosine = glm::dot(exact, glm::normalize(glm::dvec3(ray.direction)));
-        const bool isUnit = std::abs(glm::length(normal) - 1.0) <= 8.0 * rounding;
-        const bool isAlong = bound >= 0.5 || glm::length(glm::cross(normal, exact)) <= bound;
-        const bool faces = bound >= std::abs(cosine) || glm::dot(normal, exact) * cosine < 0.0;
-        return isUnit && isAlong && faces;
-    }
-
     Judgement judge(const TriangleRay& input, const Met& met)
     {
         const Crossing crossing(input.triangle, input.ray);

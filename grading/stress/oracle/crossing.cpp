@@ -35,4 +35,15 @@ Crossing::Crossing(const grading::Triangle& triangle, const Ray& ray, double all
     error = isLost ? std::numeric_limits<double>::infinity() : std::max(allowed, 2.0) * rounding * magnitude;
 }
 
+bool isNormal(const glm::vec3& came, const Crossing& crossing, const Ray& ray)
+{
+    const double bound = (16.0 * crossing.slenderness + 4.0) * rounding;
+    const glm::dvec3 normal { came }, exact = glm::normalize(crossing.normal);
+    const double cosine = glm::dot(exact, glm::normalize(glm::dvec3(ray.direction)));
+    const bool isUnit = std::abs(glm::length(normal) - 1.0) <= 8.0 * rounding;
+    const bool isAlong = !(bound < 0.5) || glm::length(glm::cross(normal, exact)) <= bound;
+    const bool faces = !(bound < std::abs(cosine)) || glm::dot(normal, exact) * cosine < 0.0;
+    return isUnit && isAlong && faces;
+}
+
 }

@@ -40,4 +40,8 @@ public:
     }
 };
 
+// Whether that is the unit normal towards where the ray came from, off by no more than a cross product of rounded
+// edges.
+[[nodiscard]] bool isNormal(const glm::vec3& came, const Crossing& crossing, const Ray& ray);
+
 }
