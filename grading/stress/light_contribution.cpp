@@ -70,7 +70,8 @@ namespace {
         const glm::dvec3 darkest = isPoint || (color0 == color1 && color0 == color2 && color0 == color3)
             ? glm::dvec3(color0)
             : glm::dvec3(0.0);
-        const glm::dvec3 highlight = query.model == ShadingModel::Lambertian || most < 0.0 ? glm::vec3(0.0f) : material.ks;
+        const glm::dvec3 highlight
+            = query.model == ShadingModel::Lambertian || most < 0.0 ? glm::vec3(0.0f) : material.ks;
         const double added = ulpOfOne * (16.0 + query.numSamples); // the mean is a sum of so many
         return judgeInside(came, darkest * glm::dvec3(material.kd) * std::max(least, 0.0) * (1.0 - added),
             brightest * (glm::dvec3(material.kd) * std::clamp(most, 0.0, 1.0) + highlight) * (1.0 + added));

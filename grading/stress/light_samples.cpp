@@ -72,8 +72,8 @@ namespace {
     {
         const glm::dvec2 s(query.sample);
         for (const glm::dvec2& from : { s, glm::dvec2(s.y, s.x) })
-            for (const glm::dvec2& place : { from, glm::dvec2(1.0 - from.x, from.y),
-                     glm::dvec2(from.x, 1.0 - from.y), glm::dvec2(1.0 - from.x, 1.0 - from.y) })
+            for (const glm::dvec2& place : { from, glm::dvec2(1.0 - from.x, from.y), glm::dvec2(from.x, 1.0 - from.y),
+                     glm::dvec2(1.0 - from.x, 1.0 - from.y) })
                 if (const Judgement judgement = judgeExact(came, exactAt(query.light, place)); judgement.isRight)
                     return judgement;
         return judgeExact(came, exactAt(query.light, s));

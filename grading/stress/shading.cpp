@@ -57,7 +57,8 @@ namespace {
         const glm::dvec3 light(c.lightColor), kd(c.kd), ks(c.ks);
         const bool mayBeBehind = cosine <= roundedCosine;
         const bool mayBeInFront = cosine >= -roundedCosine;
-        const Interval diffuse = around(cosine, roundedCosine);
+        // Of vectors whose lengths are rounded it may be above 1, and be cut off there.
+        const Interval diffuse { std::clamp(cosine - roundedCosine, 0.0, 1.0), cosine + roundedCosine };
         const glm::dvec3 darkest = mayBeBehind ? glm::dvec3(0.0) : light * (kd * diffuse.lower + ks * lobe.lower);
         const glm::dvec3 brightest = mayBeInFront ? light * (kd * diffuse.upper + ks * lobe.upper) : glm::dvec3(0.0);
         for (int i = 0; i < 3; ++i) {
