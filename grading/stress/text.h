@@ -1,5 +1,6 @@
 #pragma once
 #include <fmt/format.h>
+#include <framework/ray.h>
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -22,6 +23,12 @@ template <int N, typename T> [[nodiscard]] std::string exactly(const glm::vec<N,
     for (int i = 0; i < N; ++i)
         text += (i == 0 ? "(" : ", ") + exactly(values[i]);
     return text + ")";
+}
+
+[[nodiscard]] inline std::string exactly(const Ray& ray)
+{
+    return fmt::format(
+        "the ray from {} along {} to t = {}", exactly(ray.origin), exactly(ray.direction), exactly(ray.t));
 }
 
 }
