@@ -89,6 +89,8 @@ namespace {
         randomly<LightBehindStack>(12'000,
             [](Random& random) {
                 Stack stack = anyStack(random);
+                if (random.integer(0, 1) == 0)
+                    stack.add({ .height = 0.0f }); // the surface itself
                 addGlass(random, stack, random.integer(0, 8));
                 return withLights(random, stack);
             }),
@@ -128,7 +130,7 @@ namespace {
         return query;
     }
 
-    const Stress constructed_("light.visibility.special", visibility,
+    const Stress byHand("light.visibility.special", visibility,
         constructed<LightBehindStack>({
             { "nothing at all", layers(0, 0.5f) },
             { "the surface itself", panesAt({ 0.0f }, 1.0f) },

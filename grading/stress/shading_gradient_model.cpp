@@ -86,7 +86,7 @@ namespace {
     const Stress comparisonAnywhere(
         "gradient.comparison.anywhere", comparison, randomly<ShadingCase>(300'000, anyCase));
     const Stress comparisonSpecial("gradient.comparison.special", comparison, constructed<ShadingCase>(specialCases()));
-    const Stress sides("gradient.comparison.sides", pair, randomly<Comparisons>(20'000, [](Random& random) {
+    const Stress sides("gradient.comparison.sides", pair, randomly<Comparisons>(5'000, [](Random& random) {
         const ShadingCase phongIsBrighter = decidedCase(random, true);
         return Comparisons { phongIsBrighter, decidedCase(random, false) };
     }));
