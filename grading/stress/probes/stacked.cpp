@@ -16,7 +16,9 @@ namespace {
             AllSeen seen {};
             for (std::size_t i = 0; i < seen.size(); ++i) {
                 const auto& [point, camera, light] = query.looks[i];
-                const Ray ray = rayIn(query.stack, camera, point);
+                Ray ray = rayIn(query.stack, camera, point);
+                ray.direction *= 0.25f; // t counts in units of it
+                ray.t *= 4.0f;
                 HitInfo hit {};
                 hit.normal = glm::normalize(query.stack.up);
                 const glm::vec3 position = placeIn(query.stack, light);
