@@ -96,6 +96,8 @@ static glm::vec3 contributionOfSample(RenderState& state, const glm::vec3& light
     const glm::vec3 point = hitPoint(ray);
     const glm::vec3 toLight = lightPosition - point;
     const float distance = glm::length(toLight);
+    if (distance == 0.0f) // the light is in the surface, and shines along it
+        return glm::vec3(0.0f);
     const glm::vec3 lightDirection = toLight / distance;
     drawRay({ point, lightDirection, distance }, glm::vec3(1.0f, 0.0f, 0.0f));
 
