@@ -50,10 +50,10 @@ void Submission::linkWorker(const std::string& feature)
         m_workers.at(feature) = link({}, feature);
 }
 
-std::filesystem::path Submission::buildWholeWorker()
+std::filesystem::path Submission::buildWholeWorker(const std::string& rest)
 {
     compileAll();
-    const Program worker = link(builtObjects(), "whole");
+    const Program worker = link(builtObjects(), rest);
     if (!worker.errors.empty())
         throw std::runtime_error(worker.errors);
     return worker.file;

@@ -21,8 +21,8 @@ public:
     void buildFeatureWorkers(const std::vector<std::string>& features);
 
     // One worker with all files of the submission, stubs in place of those that are missing or refused.
-    // Throws std::runtime_error when not even that links.
-    [[nodiscard]] std::filesystem::path buildWholeWorker();
+    // rest: see Toolchain::restOf. Throws std::runtime_error when not even that links.
+    [[nodiscard]] std::filesystem::path buildWholeWorker(const std::string& rest = "whole");
 
     // What became of a file, once it was needed.
     [[nodiscard]] const Part& part(const std::string& name) const { return m_sources.at(name).part; }

@@ -220,6 +220,13 @@ TEST_CASE("A point light gives the shading from its direction, at any distance a
     }
 }
 
+TEST_CASE("A light in the shaded point gives no light, where its direction would be NaN", "[light]")
+{
+    World world({}, shaded);
+    const glm::vec3 point = view.origin + view.t * view.direction;
+    CHECK(computeContributionPointLight(world.state, { point, lightColor }, view, floorHit()) == glm::vec3(0.0f));
+}
+
 TEST_CASE("An area light without extent is a point light, for any number of samples", "[light]")
 {
     World world({}, shaded);
