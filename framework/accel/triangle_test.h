@@ -13,8 +13,8 @@ struct TriangleHit {
 // Whether the ray meets the triangle at a distance in [0, ray.t]; edges belong to it, both sides count.
 // Signed volumes decide which side of an edge the ray passes: two triangles that share the edge compute the same
 // number with opposite sign, so no ray slips between them. In double precision, so that also around a corner, where all
-// of these numbers are small, they are those of one and the same ray. Kensler and Shirley 2006, "Optimizing Ray-Triangle
-// Intersection via Automated Search", section 2.
+// of these numbers are small, they are those of one and the same ray. Kensler and Shirley 2006, "Optimizing
+// Ray-Triangle Intersection via Automated Search", section 2.
 [[nodiscard]] inline bool testTriangle(
     const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2, const Ray& ray, TriangleHit& hit)
 {

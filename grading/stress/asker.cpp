@@ -27,6 +27,12 @@ namespace {
         return limits;
     }
 
+    // A case takes a microsecond, and a machine may be busy.
+    std::chrono::milliseconds patienceFor(std::size_t numCases)
+    {
+        return std::chrono::seconds(2) + std::chrono::milliseconds(1) * numCases;
+    }
+
     // A kind has inputs of its own, whatever else there is.
     uint64_t seedOf(const Stress& kind, uint64_t seed)
     {
@@ -43,19 +49,13 @@ Asker::Asker(std::filesystem::path worker, uint64_t seed)
 {
 }
 
-// A message takes a worker a fraction of a second. When one did not, its halves have less time.
 void Asker::ask(const Stress& kind, const Range& range, Tally& tally)
-{
-    ask(kind, range, tally, std::chrono::seconds(15));
-}
-
-void Asker::ask(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience)
 {
     if (tally.isGivenUp())
         return tally.giveUpOn(range.count);
     Lost lost;
     try {
-        return askAtOnce(kind, range, tally, patience);
+        return askAtOnce(kind, range, tally);
     } catch (const worker::Failure& failure) {
         lost = lostBy(failure);
     } catch (const worker::ProbeError& error) {
@@ -66,8 +66,8 @@ void Asker::ask(const Stress& kind, const Range& range, Tally& tally, std::chron
     m_process.reset();
     if (range.count > 1) {
         const std::size_t half = range.count / 2;
-        ask(kind, { range.first, half }, tally, std::chrono::seconds(2));
-        ask(kind, { range.first + half, range.count - half }, tally, std::chrono::seconds(2));
+        ask(kind, { range.first, half }, tally);
+        ask(kind, { range.first + half, range.count - half }, tally);
         return;
     }
     const auto batch = kind.makeBatch(seedOf(kind, m_seed), range);
@@ -75,12 +75,13 @@ void Asker::ask(const Stress& kind, const Range& range, Tally& tally, std::chron
     tally.add({ range.first, lost.word, batch->describe(0), wrong(grading::harmless(lost.message), "an answer") });
 }
 
-void Asker::askAtOnce(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience)
+void Asker::askAtOnce(const Stress& kind, const Range& range, Tally& tally)
 {
     if (!m_process)
         m_process = std::make_unique<worker::Process>(m_worker, limits());
     const std::unique_ptr<const Batch> batch = kind.makeBatch(seedOf(kind, m_seed), range);
-    const worker::Answer answer = m_process->ask(kind.probe, batch->question(), patience);
+    const worker::Answer answer
+        = m_process->ask(kind.probe, batch->question(), patienceFor(range.count * kind.casesEach));
     if (!answer.unwritten.empty())
         return tally.addUnwritten(range.count, answer.unwritten);
     std::size_t numRight = 0;

@@ -15,8 +15,7 @@ public:
     void ask(const Stress& kind, const Range& range, Tally& tally);
 
 private:
-    void ask(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience);
-    void askAtOnce(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience);
+    void askAtOnce(const Stress& kind, const Range& range, Tally& tally);
 
     std::filesystem::path m_worker;
     uint64_t m_seed;

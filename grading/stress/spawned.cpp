@@ -35,9 +35,10 @@ namespace {
     // The ray starts on its side (1: where it came from) and does not meet the triangle again, nor does it step over
     // what is a hundredth of the scene's size away: offsets up to a thousandth are right, and some start along a ray
     // that is several times longer than high above the surface.
-    bool isRight(const Start& start, double side, bool meetsAgain)
+    bool isRight(const Start& start, double side, bool meetsAgain, const Ray& ray)
     {
-        return start.height * side > 0.0 && !meetsAgain && start.distance <= 5e-3;
+        constexpr float leastEnd = 1e10f; // of a ray that is to find whatever is out there, at every scale asked
+        return start.height * side > 0.0 && !meetsAgain && start.distance <= 5e-3 && ray.t >= leastEnd;
     }
 
     // slenderness: of the triangle whose normal the direction follows from.
@@ -65,7 +66,7 @@ namespace {
         const glm::dvec3 d { input.ray.direction };
         const glm::dvec3 mirrored = d - 2.0 * glm::dot(d, normal) * normal;
         const double slenderness = Crossing(input.triangle, input.ray).slenderness; // of the normal that it follows
-        if (isRight(start, 1.0, spawned.reflectedMeets) && isTowards(ray.direction, mirrored, slenderness))
+        if (isRight(start, 1.0, spawned.reflectedMeets, ray) && isTowards(ray.direction, mirrored, slenderness))
             return right();
         return wrong(toText(ray, start, spawned.reflectedMeets),
             "a ray along " + exactly(glm::normalize(mirrored)) + " from close before the surface");
@@ -77,7 +78,7 @@ namespace {
             return right();
         const Ray& ray = spawned.passedThrough;
         const Start start = startOf(input, spawned, ray);
-        if (isRight(start, -1.0, spawned.passedThroughMeets)
+        if (isRight(start, -1.0, spawned.passedThroughMeets, ray)
             && isTowards(ray.direction, glm::dvec3(input.ray.direction), 1.0))
             return right();
         return wrong(

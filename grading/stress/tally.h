@@ -34,7 +34,7 @@ public:
     std::vector<std::string> unwrittenFunctions; // the stubs that were met
 
 private:
-    static constexpr std::size_t mostLost = 5;
+    static constexpr std::size_t mostLost = 6;
 
     mutable std::mutex m_mutex;
     std::size_t m_lostWorkers = 0;
