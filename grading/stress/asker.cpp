@@ -27,12 +27,6 @@ namespace {
         return limits;
     }
 
-    // A case takes a microsecond, and a machine may be busy.
-    std::chrono::milliseconds patienceFor(std::size_t numCases)
-    {
-        return std::chrono::seconds(2) + std::chrono::milliseconds(1) * numCases;
-    }
-
     // A kind has inputs of its own, whatever else there is.
     uint64_t seedOf(const Stress& kind, uint64_t seed)
     {
@@ -49,13 +43,20 @@ Asker::Asker(std::filesystem::path worker, uint64_t seed)
 {
 }
 
+// A message takes a worker a fraction of a second, one that asks for all numbers of a sampler seconds; and the machine
+// may be busy. When a message was not answered, its halves have less time.
 void Asker::ask(const Stress& kind, const Range& range, Tally& tally)
+{
+    ask(kind, range, tally, std::chrono::seconds(20));
+}
+
+void Asker::ask(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience)
 {
     if (tally.isGivenUp())
         return tally.giveUpOn(range.count);
     Lost lost;
     try {
-        return askAtOnce(kind, range, tally);
+        return askAtOnce(kind, range, tally, patience);
     } catch (const worker::Failure& failure) {
         lost = lostBy(failure);
     } catch (const worker::ProbeError& error) {
@@ -66,8 +67,8 @@ void Asker::ask(const Stress& kind, const Range& range, Tally& tally)
     m_process.reset();
     if (range.count > 1) {
         const std::size_t half = range.count / 2;
-        ask(kind, { range.first, half }, tally);
-        ask(kind, { range.first + half, range.count - half }, tally);
+        ask(kind, { range.first, half }, tally, std::chrono::seconds(2));
+        ask(kind, { range.first + half, range.count - half }, tally, std::chrono::seconds(2));
         return;
     }
     const auto batch = kind.makeBatch(seedOf(kind, m_seed), range);
@@ -75,13 +76,12 @@ void Asker::ask(const Stress& kind, const Range& range, Tally& tally)
     tally.add({ range.first, lost.word, batch->describe(0), wrong(grading::harmless(lost.message), "an answer") });
 }
 
-void Asker::askAtOnce(const Stress& kind, const Range& range, Tally& tally)
+void Asker::askAtOnce(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience)
 {
     if (!m_process)
         m_process = std::make_unique<worker::Process>(m_worker, limits());
     const std::unique_ptr<const Batch> batch = kind.makeBatch(seedOf(kind, m_seed), range);
-    const worker::Answer answer
-        = m_process->ask(kind.probe, batch->question(), patienceFor(range.count * kind.casesEach));
+    const worker::Answer answer = m_process->ask(kind.probe, batch->question(), patience);
     if (!answer.unwritten.empty())
         return tally.addUnwritten(range.count, answer.unwritten);
     std::size_t numRight = 0;

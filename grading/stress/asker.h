@@ -15,7 +15,8 @@ public:
     void ask(const Stress& kind, const Range& range, Tally& tally);
 
 private:
-    void askAtOnce(const Stress& kind, const Range& range, Tally& tally);
+    void ask(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience);
+    void askAtOnce(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience);
 
     std::filesystem::path m_worker;
     uint64_t m_seed;
