@@ -9,7 +9,6 @@ glm::vec3 computeBlinnPhongModel(RenderState&, const glm::vec3& cameraDirection,
     const glm::vec3 sum = lightDirection + cameraDirection;
     const float length = glm::length(sum); // 0 where the camera looks from opposite the light: no halfway vector
     // Rounding may leave [0, 1], and a high shininess makes much of it.
-    const float halfwayCosine
-        = length > 0.0f ? std::clamp(glm::dot(hitInfo.normal, sum) / length, 0.0f, 1.0f) : 0.0f;
+    const float halfwayCosine = length > 0.0f ? std::clamp(glm::dot(hitInfo.normal, sum) / length, 0.0f, 1.0f) : 0.0f;
     return lightColor * (kd * cosine + hitInfo.material.ks * std::pow(halfwayCosine, hitInfo.material.shininess));
 }
