@@ -54,6 +54,18 @@ namespace {
         return right();
     }
 
+    // Rays are not all in the first n-th of their cells, along either axis: of 16 in 4 x 4 cells chance leaves the rest
+    // empty once in 4e9 pixels.
+    Judgement judgeSpread(const std::vector<glm::dvec2>& places, int n, const glm::dvec2& rounded)
+    {
+        glm::dvec2 largest { 0.0 };
+        for (const glm::dvec2& place : places)
+            largest = glm::max(largest, glm::fract(place * static_cast<double>(n)));
+        if (glm::all(glm::greaterThanEqual(largest + rounded * static_cast<double>(n), glm::dvec2(1.0 / n))))
+            return right();
+        return wrong(fmt::format("no ray further into its cell than {}", exactly(largest)), "anywhere in its cell");
+    }
+
     Judgement judge(const PixelRays& query, const RaysOfPixel& came)
     {
         const int n = static_cast<int>(std::round(std::sqrt(query.numSamples)));
@@ -71,7 +83,10 @@ namespace {
                                  exactly(places.back())),
                     "a unit vector through the pixel");
         }
-        return query.isStratified && count == places.size() ? judgeCells(places, n, rounded) : right();
+        if (!query.isStratified || count != places.size())
+            return right();
+        const Judgement judgement = judgeCells(places, n, rounded);
+        return judgement.isRight && n == 4 ? judgeSpread(places, n, rounded) : judgement;
     }
 
     const Question<PixelRays, RaysOfPixel> pixelRays { "stress.pixel_rays", describe, judge };
