@@ -6,6 +6,7 @@
 #include "shading.h"
 #include "texture.h"
 #include "values/needs_of.h"
+#include <array>
 #include <framework/variant_helper.h>
 #include <tbb/parallel_for.h>
 
@@ -19,17 +20,19 @@ namespace {
 
     struct Surface {
         glm::vec3 point, normal;
-        glm::vec2 texCoord;
+        glm::vec2 texCoord { 0.0f };
         const Material* material;
     };
 
     template <Parts parts> class Specialised {
     public:
-        Specialised(const Scene& scene, const BVH& bvh, const Features& features, uint32_t seed)
+        Specialised(const Scene& scene, const BVH& bvh, const Features& features, bool isDarkBelow, uint32_t seed)
             : m_scene(scene)
+            , m_bvh(bvh)
             , m_tree(*bvh.wideTree())
             , m_primitives(bvh.primitives())
             , m_features(features)
+            , m_isDarkBelow(isDarkBelow)
             , m_sampler(seed)
         {
         }
@@ -61,7 +64,8 @@ namespace {
         glm::vec3 trace(const Ray& ray, uint32_t depth)
         {
             Surface surface;
-            if (!find(ray, surface))
+            float t = ray.t;
+            if (!find(ray, surface, t))
                 return glm::vec3(0.0f);
             glm::vec3 color = lightOn(surface, ray);
             if (depth >= m_features.extra.maxDepth)
@@ -84,7 +88,8 @@ namespace {
             return color;
         }
 
-        bool find(const Ray& ray, Surface& surface) const
+        // t becomes the distance of the surface.
+        bool find(const Ray& ray, Surface& surface, float& t) const
         {
             Ray closest = ray;
             const auto hit = m_tree.closest(ray);
@@ -102,7 +107,8 @@ namespace {
                     surface = { {}, info.normal, info.texCoord, &sphere.material };
                 }
             }
-            surface.point = ray.origin + closest.t * ray.direction;
+            t = closest.t;
+            surface.point = ray.origin + t * ray.direction;
             return hit || isSphere;
         }
 
@@ -133,14 +139,15 @@ namespace {
         glm::vec3 lightOn(const Surface& surface, const Ray& ray)
         {
             const uint32_t number = m_features.numShadowSamples;
+            const glm::vec3 eye = -glm::normalize(ray.direction);
             const auto fromLight = make_visitor(
-                [&](const PointLight& light) { return lightFrom(light.position, light.color, surface, ray); },
+                [&](const PointLight& light) { return lightFrom(light.position, light.color, surface, eye); },
                 [&](const SegmentLight& light) {
                     glm::vec3 sum { 0.0f };
                     for (uint32_t i = 0; i < number; ++i) {
                         const float at = m_sampler.next_1d();
                         sum += lightFrom(glm::mix(light.endpoint0, light.endpoint1, at),
-                            glm::mix(light.color0, light.color1, at), surface, ray);
+                            glm::mix(light.color0, light.color1, at), surface, eye);
                     }
                     return sum / static_cast<float>(number);
                 },
@@ -150,7 +157,7 @@ namespace {
                         const glm::vec2 at = m_sampler.next_2d();
                         const glm::vec3 color = glm::mix(glm::mix(light.color0, light.color1, at.x),
                             glm::mix(light.color2, light.color3, at.x), at.y);
-                        sum += lightFrom(light.v0 + at.x * light.edge01 + at.y * light.edge02, color, surface, ray);
+                        sum += lightFrom(light.v0 + at.x * light.edge01 + at.y * light.edge02, color, surface, eye);
                     }
                     return sum / static_cast<float>(number);
                 });
@@ -161,7 +168,7 @@ namespace {
         }
 
         glm::vec3 lightFrom(
-            const glm::vec3& position, const glm::vec3& color, const Surface& surface, const Ray& ray)
+            const glm::vec3& position, const glm::vec3& color, const Surface& surface, const glm::vec3& eye)
         {
             const glm::vec3 toLight = position - surface.point;
             const glm::vec3 direction = toLight / glm::length(toLight);
@@ -171,7 +178,7 @@ namespace {
             const glm::vec3 arriving = m_features.enableShadows ? leftOf(color, position, surface) : color;
             if (arriving == glm::vec3(0.0f))
                 return arriving;
-            return shade(surface, direction, cosine, arriving, -glm::normalize(ray.direction));
+            return shade(surface, direction, cosine, arriving, eye);
         }
 
         glm::vec3 leftOf(const glm::vec3& color, const glm::vec3& position, const Surface& surface) const
@@ -186,24 +193,119 @@ namespace {
             glm::vec3 left = color;
             while (remaining.t > 0.0f && left != glm::vec3(0.0f)) {
                 Surface between;
-                if (!find(remaining, between))
+                float t = remaining.t;
+                if (!find(remaining, between, t))
                     break;
-                const float t = m_features.extra.enableProposedShadowFormula ? -1.0f : 0.0f;
-                (void)t;
-                left = left * kdOf(between) * (1.0f - between.material->transparency);
-                const float passed = glm::length(between.point - remaining.origin);
-                (void)passed;
-                break;
+                left = behind(left, kdOf(between), between.material->transparency);
+                const float step = offsetAt(between.point);
+                remaining.origin = between.point + step * remaining.direction;
+                remaining.t -= t + step;
             }
             return left;
         }
 
+        glm::vec3 behind(const glm::vec3& light, const glm::vec3& kd, float alpha) const
+        {
+            const float t = 1.0f - alpha;
+            if (!m_features.extra.enableProposedShadowFormula)
+                return light * kd * t;
+            return alpha == 1.0f ? glm::vec3(0.0f) : light * kd * (1.0f - t) + light * t;
+        }
+
+        bool isBlocked(const Ray& ray) const
+        {
+            if (m_tree.occluded(ray))
+                return true;
+            if constexpr (parts.spheres) {
+                for (const Sphere& sphere : m_scene.spheres) {
+                    Ray shortened = ray;
+                    HitInfo unused;
+                    if (intersectRayWithShape(sphere, shortened, unused))
+                        return true;
+                }
+            }
+            return false;
+        }
+
+        glm::vec3 kdOf(const Surface& surface) const
+        {
+            if constexpr (parts.textures) {
+                if (const Image* texture = surface.material->kdTexture)
+                    return m_features.enableBilinearTextureFiltering ? sampleTextureBilinear(*texture, surface.texCoord)
+                                                                     : sampleTextureNearest(*texture, surface.texCoord);
+            }
+            return surface.material->kd;
+        }
+
+        glm::vec3 shade(const Surface& surface, const glm::vec3& direction, float cosine, const glm::vec3& light,
+            const glm::vec3& camera)
+        {
+            const Material& material = *surface.material;
+            if (!m_features.enableShading)
+                return light * kdOf(surface);
+            switch (m_features.shadingModel) {
+            case ShadingModel::Lambertian:
+                return light * kdOf(surface) * std::max(cosine, 0.0f);
+            case ShadingModel::Phong: {
+                const glm::vec3 mirrored = 2.0f * cosine * surface.normal - direction;
+                const float lobe = std::pow(std::max(glm::dot(mirrored, camera), 0.0f), material.shininess);
+                return light * (kdOf(surface) * cosine + material.ks * lobe);
+            }
+            case ShadingModel::BlinnPhong: {
+                const glm::vec3 sum = direction + camera;
+                const float length = glm::length(sum);
+                const float halfway = length > 0.0f ? std::max(glm::dot(surface.normal, sum) / length, 0.0f) : 0.0f;
+                return light * (kdOf(surface) * cosine + material.ks * std::pow(halfway, material.shininess));
+            }
+            default: // by gradients, which are a submission's
+                RenderState state { m_scene, m_features, m_bvh, Sampler(1) };
+                return computeShading(
+                    state, camera, direction, light, { surface.normal, {}, surface.texCoord, material });
+            }
+        }
+
         const Scene& m_scene;
+        const BVH& m_bvh;
         const accel::WideTree& m_tree;
         const std::span<const BVHInterface::Primitive> m_primitives;
         const Features& m_features;
+        const bool m_isDarkBelow;
         Sampler m_sampler;
     };
 
+    template <Parts parts>
+    void renderAll(const Scene& scene, const BVH& bvh, const Features& features, const Trackball& camera,
+        Screen& screen, const SceneNeeds& needs)
+    {
+        const glm::ivec2 resolution = screen.resolution();
+        tbb::parallel_for(0, resolution.y, [&](int y) {
+            for (int x = 0; x < resolution.x; ++x) {
+                Specialised<parts> code(
+                    scene, bvh, features, !needs.lightFromBehind, static_cast<uint32_t>(screen.indexAt(x, y)));
+                screen.setPixel(x, y, code.pixel(camera, { x, y }, resolution));
+            }
+        });
+    }
+
+    using Render = void (*)(const Scene&, const BVH&, const Features&, const Trackball&, Screen&, const SceneNeeds&);
+
+    template <std::size_t... bits> constexpr std::array<Render, 32> instances(std::index_sequence<bits...>)
+    {
+        return {
+            renderAll<Parts { bool(bits & 1), bool(bits & 2), bool(bits & 4), bool(bits & 8), bool(bits & 16) }>...
+        };
+    }
+
 }
+
+void renderSpecialised(
+    const Scene& scene, const BVH& bvh, const Features& features, const Trackball& camera, Screen& screen)
+{
+    static constexpr auto renders = instances(std::make_index_sequence<32> {});
+    const SceneNeeds needs = values::needsOf(scene, features);
+    const auto index = static_cast<std::size_t>(
+        needs.spheres | needs.textures << 1 | needs.shadingNormals << 2 | needs.mirrors << 3 | needs.transparency << 4);
+    renders[index](scene, bvh, features, camera, screen, needs);
+}
+
 }
