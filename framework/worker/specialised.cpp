@@ -6,6 +6,7 @@
 #include "shading.h"
 #include "texture.h"
 #include "values/needs_of.h"
+#include "worker/specialised_formulas.h"
 #include <array>
 #include <framework/variant_helper.h>
 #include <tbb/parallel_for.h>
@@ -130,12 +131,6 @@ namespace {
                 surface.normal = -surface.normal;
         }
 
-        static float offsetAt(const glm::vec3& point)
-        {
-            const glm::vec3 size = glm::abs(point);
-            return 1e-4f * std::max({ 1.0f, size.x, size.y, size.z });
-        }
-
         glm::vec3 lightOn(const Surface& surface, const Ray& ray)
         {
             const uint32_t number = m_features.numShadowSamples;
@@ -196,20 +191,12 @@ namespace {
                 float t = remaining.t;
                 if (!find(remaining, between, t))
                     break;
-                left = behind(left, kdOf(between), between.material->transparency);
+                left = lightBehind(left, kdOf(between), between.material->transparency, m_features);
                 const float step = offsetAt(between.point);
                 remaining.origin = between.point + step * remaining.direction;
                 remaining.t -= t + step;
             }
             return left;
-        }
-
-        glm::vec3 behind(const glm::vec3& light, const glm::vec3& kd, float alpha) const
-        {
-            const float t = 1.0f - alpha;
-            if (!m_features.extra.enableProposedShadowFormula)
-                return light * kd * t;
-            return alpha == 1.0f ? glm::vec3(0.0f) : light * kd * (1.0f - t) + light * t;
         }
 
         bool isBlocked(const Ray& ray) const
@@ -243,20 +230,14 @@ namespace {
             const Material& material = *surface.material;
             if (!m_features.enableShading)
                 return light * kdOf(surface);
+            const glm::vec3 normal = surface.normal;
             switch (m_features.shadingModel) {
             case ShadingModel::Lambertian:
                 return light * kdOf(surface) * std::max(cosine, 0.0f);
-            case ShadingModel::Phong: {
-                const glm::vec3 mirrored = 2.0f * cosine * surface.normal - direction;
-                const float lobe = std::pow(std::max(glm::dot(mirrored, camera), 0.0f), material.shininess);
-                return light * (kdOf(surface) * cosine + material.ks * lobe);
-            }
-            case ShadingModel::BlinnPhong: {
-                const glm::vec3 sum = direction + camera;
-                const float length = glm::length(sum);
-                const float halfway = length > 0.0f ? std::max(glm::dot(surface.normal, sum) / length, 0.0f) : 0.0f;
-                return light * (kdOf(surface) * cosine + material.ks * std::pow(halfway, material.shininess));
-            }
+            case ShadingModel::Phong:
+                return light * (kdOf(surface) * cosine + material.ks * phongLobe(material, normal, direction, camera));
+            case ShadingModel::BlinnPhong:
+                return light * (kdOf(surface) * cosine + material.ks * blinnLobe(material, normal, direction, camera));
             default: // by gradients, which are a submission's
                 RenderState state { m_scene, m_features, m_bvh, Sampler(1) };
                 return computeShading(
