@@ -1,5 +1,6 @@
 #include "accel/counting_bvh.h"
 #include "files/scene_file.h"
+#include "light.h"
 #include "screen.h"
 #include "shading.h"
 #include "values/needs_of.h"
@@ -53,10 +54,10 @@ bool isNeeded(bool SceneNeeds::*need, const Scene& scene, const Features& featur
 
 TEST_CASE("What is skipped changes no bit of any scene, whoever traverses, with one thread and with many", "[skipping]")
 {
+    const auto model = GENERATE(ShadingModel::Lambertian, ShadingModel::BlinnPhong, ShadingModel::LinearGradient);
     for (const auto& entry : std::filesystem::directory_iterator(RAYWORK_SCENES)) {
         if (entry.path().extension() != ".toml")
             continue;
-        const auto model = GENERATE(ShadingModel::Lambertian, ShadingModel::BlinnPhong, ShadingModel::LinearGradient);
         const files::SceneFile file = smallScene(entry.path(), model);
         INFO(entry.path());
         const auto expected = render<BVH>(file, false);
