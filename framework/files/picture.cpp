@@ -1,7 +1,7 @@
 #include "files/picture.h"
 #include "files/error.h"
+#include "files/texel_source.h"
 #include "files/text.h"
-#include "values/texel_source.h"
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -146,7 +146,7 @@ namespace {
 std::shared_ptr<const Image> openPicture(const std::filesystem::path& path)
 {
     const glm::ivec2 size = readSize(path);
-    auto source = std::make_shared<values::TexelSource>();
+    auto source = std::make_shared<files::TexelSource>();
     source->read = [path, size] { return readTexels(path, size); };
     return std::make_shared<Image>(size.x, size.y, numChannels, std::move(source));
 }

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace values {
+namespace files {
 struct TexelSource;
 }
 
@@ -20,7 +20,7 @@ class Texels {
 public:
     Texels() = default;
     Texels(std::size_t count, int channels);
-    Texels(std::size_t count, int channels, std::shared_ptr<values::TexelSource> source);
+    Texels(std::size_t count, int channels, std::shared_ptr<files::TexelSource> source);
     Texels(const Texels& other);
     Texels(Texels&& other) noexcept;
     Texels& operator=(Texels other) noexcept;
@@ -42,7 +42,7 @@ private:
 
     std::size_t m_count = 0;
     int m_channels = 3;
-    std::shared_ptr<values::TexelSource> m_source; // null if there never was one
+    std::shared_ptr<files::TexelSource> m_source; // null if there never was one
     mutable std::vector<uint8_t> m_bytes;
     mutable std::atomic<const uint8_t*> m_data = nullptr; // the bytes, once they are there
 };
@@ -54,7 +54,7 @@ struct Image {
 
     Image() = default;
     Image(int width, int height, int channels = 3);
-    Image(int width, int height, int channels, std::shared_ptr<values::TexelSource> source);
+    Image(int width, int height, int channels, std::shared_ptr<files::TexelSource> source);
 
     // Colour of a texel, each channel in [0, 1]; channels that the image lacks repeat its last one.
     template <int N = 3> [[nodiscard]] glm::vec<N, float> get_pixel(int index) const

@@ -1,4 +1,4 @@
-#include "values/texel_source.h"
+#include "files/texel_source.h"
 #include <framework/image.h>
 
 Texels::Texels(std::size_t count, int channels)
@@ -9,7 +9,7 @@ Texels::Texels(std::size_t count, int channels)
 {
 }
 
-Texels::Texels(std::size_t count, int channels, std::shared_ptr<values::TexelSource> source)
+Texels::Texels(std::size_t count, int channels, std::shared_ptr<files::TexelSource> source)
     : m_count(count)
     , m_channels(channels)
     , m_source(std::move(source))
@@ -75,7 +75,7 @@ Image::Image(int width_, int height_, int channels_)
 {
 }
 
-Image::Image(int width_, int height_, int channels_, std::shared_ptr<values::TexelSource> source)
+Image::Image(int width_, int height_, int channels_, std::shared_ptr<files::TexelSource> source)
     : width(width_)
     , height(height_)
     , channels(channels_)

@@ -196,7 +196,7 @@ TEST_CASE("The texels of a lookup are told with their weights", "[render]")
 
 TEST_CASE("What is skipped changes no pixel, whoever wrote the code", "[render]")
 {
-    const std::string folder = submission::sourceDirectory;
+    const std::string folder(submission::sourceDirectory);
     const std::string with = GENERATE_COPY(values<std::string>(
         { "student", "'" + folder + "/tests/grading/course'", "'" + folder + "/tests/grading/course_2023'" }));
     const std::string scene = GENERATE(values<std::string>({ "cornell_box", "transparent_shadows", "soft_shadows" }));

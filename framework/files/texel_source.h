@@ -4,7 +4,7 @@
 #include <mutex>
 #include <vector>
 
-namespace values {
+namespace files {
 
 // Where an image's texels come from when they are first looked at. Throws what goes wrong, to whoever looks.
 struct TexelSource {
