@@ -38,12 +38,14 @@ add_rule(symbols "${CMAKE_READELF};--wide;--demangle;--symbols")
 
 set(worker $<TARGET_OBJECTS:worker>)
 set(probes $<TARGET_OBJECTS:probes>)
+set(stress_probes $<TARGET_OBJECTS:stress_probes>)
 set(libraries "$<TARGET_FILE:framework>;$<TARGET_FILE:TBB::tbb>;$<TARGET_FILE:fmt::fmt>;\
 $<TARGET_FILE:tinyobjloader::tinyobjloader>;$<TARGET_PROPERTY:PkgConfig::stb,INTERFACE_LINK_LIBRARIES>;\
 $<TARGET_PROPERTY:PkgConfig::tomlplusplus,INTERFACE_LINK_LIBRARIES>;-pthread;${OpenMP_CXX_FLAGS}")
-add_rule(built "${worker};${probes};$<TARGET_OBJECTS:reference>;$<TARGET_FILE:framework>")
+add_rule(built "${worker};${probes};${stress_probes};$<TARGET_OBJECTS:reference>;$<TARGET_FILE:framework>")
 add_rule(rest_whole "${worker};${libraries}")
 add_rule(rest_questioned "${worker};${probes};${libraries}")
+add_rule(rest_stressed "${worker};${stress_probes};${libraries}")
 if(RAYWORK_REPORT)
     add_rule(rest_figures "${worker};$<TARGET_OBJECTS:figure_probes>;${libraries}")
     add_dependencies(submission figure_probes)

@@ -8,16 +8,16 @@
 
 namespace grading {
 
-// The random inputs of a check or a test.
-class Random {
+// Random inputs, from an engine of 64 bits.
+template <typename Engine> class RandomOf {
 public:
-    explicit Random(uint64_t seed)
+    explicit RandomOf(uint64_t seed)
         : m_engine(seed)
     {
     }
 
     // Others for each name.
-    Random(uint64_t seed, std::string_view name)
+    RandomOf(uint64_t seed, std::string_view name)
     {
         uint64_t hash = 0xcbf29ce484222325u ^ seed; // FNV-1a
         for (const char c : name)
@@ -67,7 +67,10 @@ public:
     [[nodiscard]] uint32_t seed() { return static_cast<uint32_t>(m_engine()); }
 
 private:
-    std::mt19937_64 m_engine;
+    Engine m_engine;
 };
+
+// Those of a check or a test.
+using Random = RandomOf<std::mt19937_64>;
 
 }

@@ -28,7 +28,12 @@ glm::vec3 computeBarycentricCoord(const glm::vec3& v0, const glm::vec3& v1, cons
     const glm::vec3 area { glm::dot(normal, glm::cross(v2 - v1, p - v1)), glm::dot(normal, glm::cross(v0 - v2, p - v2)),
         glm::dot(normal, glm::cross(v1 - v0, p - v0)) };
     const float sum = area.x + area.y + area.z;
-    if (area.x >= 0.0f && area.y >= 0.0f && area.z >= 0.0f && sum > 0.0f)
+    // The areas of a needle, a thousand times longer than high, are lost in roundings, but its edges are close.
+    const glm::vec3 edge0 = v2 - v1, edge1 = v0 - v2, edge2 = v1 - v0;
+    const float longest
+        = std::max({ glm::dot(edge0, edge0), glm::dot(edge1, edge1), glm::dot(edge2, edge2) }); // squared
+    const float least = 0x1p-20f * longest * longest;
+    if (area.x >= 0.0f && area.y >= 0.0f && area.z >= 0.0f && sum > least)
         return area / sum;
 
     // Outside, or a triangle without area: the closest point lies on an edge.

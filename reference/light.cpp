@@ -23,22 +23,24 @@ static glm::vec3 hitPoint(const Ray& ray)
     return ray.origin + ray.t * ray.direction;
 }
 
-// How far a shadow ray keeps from the surfaces at both of its ends.
-static float shadowOffset(const glm::vec3& point)
+// How far a shadow ray keeps from the surfaces at both of its ends: well above the error of a point that is calculated
+// from these two, well below what can be seen. Roundings are relative to the numbers, whatever the scene's scale: pbrt,
+// "Managing Rounding Error".
+static float shadowOffset(const glm::vec3& from, const glm::vec3& to)
 {
-    const glm::vec3 size = glm::abs(point);
-    return 1e-4f * std::max({ 1.0f, size.x, size.y, size.z });
+    const glm::vec3 size = glm::max(glm::abs(from), glm::abs(to));
+    return 0x1p-15f * std::max({ size.x, size.y, size.z }); // 512 roundings; there are about a dozen
 }
 
 // From just above the shaded point to just before the light, direction unit.
 static Ray shadowRay(const glm::vec3& lightPosition, const Ray& ray, const HitInfo& hitInfo)
 {
     const glm::vec3 point = hitPoint(ray);
-    const float offset = shadowOffset(point);
+    const float offset = shadowOffset(ray.origin, point);
     const glm::vec3 origin = point + offset * hitInfo.normal;
     const glm::vec3 toLight = lightPosition - origin;
     const float distance = glm::length(toLight);
-    return { .origin = origin, .direction = toLight / distance, .t = distance - offset };
+    return { .origin = origin, .direction = toLight / distance, .t = distance - shadowOffset(origin, lightPosition) };
 }
 
 bool visibilityOfLightSampleBinary(
@@ -46,9 +48,8 @@ bool visibilityOfLightSampleBinary(
 {
     if (!state.features.enableShadows)
         return true;
-    Ray toLight = shadowRay(lightPosition, ray, hitInfo);
-    HitInfo blocker;
-    return !state.bvh.intersect(state, toLight, blocker);
+    const Ray toLight = shadowRay(lightPosition, ray, hitInfo);
+    return !state.bvh.isOccluded(state, toLight);
 }
 
 // What a surface leaves of the light that goes through it. alpha is the surface's opacity.
@@ -73,6 +74,8 @@ glm::vec3 visibilityOfLightSampleTransparency(RenderState& state, const glm::vec
     const auto formula = state.features.extra.enableProposedShadowFormula ? lightBehindProposed : lightBehind;
     glm::vec3 light = lightColor;
     Ray remaining = shadowRay(lightPosition, ray, hitInfo);
+    if (!state.needs.shadowsInOrder) // whatever lies between is opaque
+        return remaining.t > 0.0f && state.bvh.isOccluded(state, remaining) ? glm::vec3(0.0f) : lightColor;
     while (remaining.t > 0.0f && light != glm::vec3(0.0f)) {
         Ray toSurface = remaining;
         HitInfo surface;
@@ -80,7 +83,7 @@ glm::vec3 visibilityOfLightSampleTransparency(RenderState& state, const glm::vec
             break;
         light = formula(light, sampleMaterialKd(state, surface), surface.material.transparency);
         const glm::vec3 point = hitPoint(toSurface);
-        const float offset = shadowOffset(point);
+        const float offset = shadowOffset(remaining.origin, point);
         remaining.origin = point + offset * remaining.direction;
         remaining.t -= toSurface.t + offset;
     }
@@ -94,8 +97,12 @@ static glm::vec3 contributionOfSample(RenderState& state, const glm::vec3& light
     const glm::vec3 point = hitPoint(ray);
     const glm::vec3 toLight = lightPosition - point;
     const float distance = glm::length(toLight);
+    if (distance == 0.0f) // the light is in the surface, and shines along it
+        return glm::vec3(0.0f);
     const glm::vec3 lightDirection = toLight / distance;
     drawRay({ point, lightDirection, distance }, glm::vec3(1.0f, 0.0f, 0.0f));
+    if (!canBeLit(state, lightDirection, lightColor, hitInfo))
+        return glm::vec3(0.0f);
 
     const glm::vec3 visible = visibilityOfLightSample(state, lightPosition, lightColor, ray, hitInfo);
     if (visible == glm::vec3(0.0f))

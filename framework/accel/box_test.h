@@ -7,8 +7,14 @@ namespace accel {
 struct RayForBoxes {
     explicit RayForBoxes(const Ray& ray)
         : origin(ray.origin)
-        , inverse(1.0f / (ray.direction + 0.0f)) // -0 + 0 is +0
+        , inverse(1.0f / glm::mix(ray.direction, glm::vec3(0.0f), isNextToNothing(ray.direction)))
     {
+    }
+
+    // Zeros of either sign, and what is so small that its reciprocal may be no float.
+    static glm::bvec3 isNextToNothing(const glm::vec3& direction)
+    {
+        return glm::lessThan(glm::abs(direction), glm::vec3(std::numeric_limits<float>::min()));
     }
 
     glm::vec3 origin;

@@ -1,10 +1,13 @@
 // ./raywork render: renders a scene with a submission's code, in a process of its own.
+#include "app/explain.h"
 #include "app/number_pairs.h"
+#include "app/render_goal.h"
 #include "app/renderer.h"
 #include "app/run_command.h"
 #include "app/save_debug_ray.h"
 #include "app/save_picture.h"
 #include "debug/false_color.h"
+#include "worker/adaptive_request.h"
 #include "worker/debug_ray.h"
 #include "worker/render_request.h"
 
@@ -20,9 +23,12 @@ struct Options {
     std::string orbit;
     std::string debugRay;
     std::string show = "color";
+    std::string error;
+    std::string time;
     uint32_t samples = 0;
     bool stratified = false;
     uint32_t threads = 0;
+    bool explain = false;
     std::vector<std::string> settings;
 };
 
@@ -36,6 +42,8 @@ void declare(CLI::App& cli, Options& options)
     cli.add_option("--samples", options.samples, "Rays a pixel [what the scene says]")->check(CLI::PositiveNumber);
     cli.add_flag("--stratified", options.stratified, "One ray in each cell of the pixel, rather than anywhere");
     cli.add_option("--threads", options.threads, "Threads [one a core]")->check(CLI::PositiveNumber);
+    cli.add_flag("--explain", options.explain,
+        "Tell what the picture needs, what is left out and why, and count what is done; no picture is written");
     cli.add_option("--set", options.settings, "feature=value, such as shadows=false or shading_model=phong; repeatable")
         ->take_all();
     cli.add_option("--orbit", options.orbit,
@@ -45,6 +53,12 @@ void declare(CLI::App& cli, Options& options)
     cli.add_option("--show", options.show,
         fmt::format(
             "What is measured of each pixel: {}; as false colours, but raw in .exr [color]", debug::quantityNames()));
+    for (CLI::Option* goal : { cli.add_option("--error", options.error,
+                                   "Take as many samples as it needs, where it needs them, until no pixel is believed "
+                                   "to err by more, in (0, 1]: 1 is from black to white"),
+             cli.add_option("--time", options.time, "Render as well as can be in so many seconds") })
+        for (const char* other : { "--samples", "--stratified", "--debug-ray", "--show" })
+            goal->excludes(cli.get_option(other));
     cli.footer("Exit codes: 0 done, 2 bad input, 70 the submission's code failed.");
 }
 
@@ -88,6 +102,25 @@ void render(const Options& options, const fs::path& output)
         fmt::print("{} from {:g} to {:g}\n", options.show, range.lowest, range.highest);
 }
 
+void reportBelief(const adaptive::Summary& summary, glm::ivec2 size)
+{
+    const double numPixels = static_cast<double>(size.x) * static_cast<double>(size.y);
+    fmt::print("{:.1f} samples a pixel, {} to {}; its error is believed to be {:.2g}, of no pixel above {:.2g}\n",
+        static_cast<double>(summary.numSamples) / numPixels, summary.fewestSamples, summary.mostSamples, summary.error,
+        summary.largestError);
+}
+
+void renderToGoal(const Options& options, const fs::path& output)
+{
+    app::checkPictureName(output);
+    const worker::AdaptiveRequest request { makeRequest(options), app::parseGoal(options.error, options.time) };
+    const auto [rendering, summary]
+        = app::Renderer(options.with).ask<worker::AdaptiveRendering>("render.adaptive", request);
+    app::savePicture(output, rendering.size, rendering.pixels);
+    report(options, output, rendering);
+    reportBelief(summary, rendering.size);
+}
+
 void followRay(const Options& options, const fs::path& output)
 {
     app::checkDebugRayName(output);
@@ -106,8 +139,13 @@ void followRay(const Options& options, const fs::path& output)
 
 void renderOrFollow(const Options& options)
 {
+    if (options.explain)
+        return app::explain(
+            app::Renderer(options.with).ask<worker::Explanation>("render.explain", makeRequest(options)));
     const fs::path output = options.output.empty() ? fs::path(options.scene).stem().string() + ".png" : options.output;
-    if (options.debugRay.empty())
+    if (!options.error.empty() || !options.time.empty())
+        renderToGoal(options, output);
+    else if (options.debugRay.empty())
         render(options, output);
     else
         followRay(options, output);

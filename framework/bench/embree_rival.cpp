@@ -43,16 +43,20 @@ namespace {
             }
         }
 
-        void traceClosest() override
+        double traceClosest() override
         {
-            for (RTCRayHit& ray : m_rays)
-                rtcIntersect1(m_scene, &m_context, &ray);
+            return secondsOf([&] {
+                for (RTCRayHit& ray : m_rays)
+                    rtcIntersect1(m_scene, &m_context, &ray);
+            });
         }
 
-        void traceOccluded() override
+        double traceOccluded() override
         {
-            for (RTCRayHit& ray : m_rays)
-                rtcOccluded1(m_scene, &m_context, &ray.ray);
+            return secondsOf([&] {
+                for (RTCRayHit& ray : m_rays)
+                    rtcOccluded1(m_scene, &m_context, &ray.ray);
+            });
         }
 
         [[nodiscard]] float distance(std::size_t ray) const override

@@ -1,98 +1,137 @@
 #include "bench/error.h"
 #include "app/renderer.h"
 #include "app/run_command.h"
-#include "bench/error_curve.h"
+#include "bench/error_report.h"
 #include "files/text.h"
 #include <nlohmann/json.hpp>
 
 namespace bench {
 namespace {
 
+    using worker::Integrand;
+    using worker::Strategy;
+
     struct Options {
         std::string with = "reference";
-        std::string json;
-        uint32_t numEstimates = 4000;
+        std::string json, plots;
+        uint32_t numEstimates = 2048;
     };
 
-    struct Named {
-        const char* name;
-        uint32_t value;
+    struct Experiment {
+        const char *integrandName, *strategyName;
+        Integrand integrand;
+        Strategy strategy;
+        double slope; // of the error by number of samples
     };
-    constexpr Named integrands[] = { { "edge", uint32_t(worker::Integrand::Edge) },
-        { "axis_edge", uint32_t(worker::Integrand::AxisEdge) },
-        { "soft_shadow", uint32_t(worker::Integrand::SoftShadow) }, { "smooth", uint32_t(worker::Integrand::Smooth) } };
-    constexpr Named strategies[] = { { "uniform", uint32_t(worker::Strategy::Uniform) },
-        { "stratified", uint32_t(worker::Strategy::Stratified) }, { "owen", uint32_t(worker::Strategy::Owen) } };
 
-    std::vector<ErrorPoint> measureCurve(
-        app::Renderer& renderer, const Named& integrand, const Named& strategy, const Options& options)
+    // What the slopes should be: of edges, by the cells that they cross (Mitchell 1996, "Consequences of Stratified
+    // Sampling in Graphics"); of the smooth one, by Owen 1997, "Scrambled Net Variance for Integrals of Smooth
+    // Functions"; of pairs, by what of the integrand is no sum of functions of x and of y (Stein 1987, "Large Sample
+    // Properties of Simulations Using Latin Hypercube Sampling").
+    constexpr Experiment experiments[] = {
+        { "edge", "uniform", Integrand::Edge, Strategy::Uniform, -0.5 },
+        { "edge", "stratified", Integrand::Edge, Strategy::Stratified, -0.75 },
+        { "edge", "owen", Integrand::Edge, Strategy::Owen, -0.75 },
+        { "axis_edge", "uniform", Integrand::AxisEdge, Strategy::Uniform, -0.5 },
+        { "axis_edge", "stratified", Integrand::AxisEdge, Strategy::Stratified, -0.75 },
+        { "axis_edge", "owen", Integrand::AxisEdge, Strategy::Owen, -1.0 },
+        { "soft_shadow", "uniform", Integrand::SoftShadow, Strategy::Uniform, -0.5 },
+        { "soft_shadow", "stratified", Integrand::SoftShadow, Strategy::Stratified, -0.75 },
+        { "soft_shadow", "owen", Integrand::SoftShadow, Strategy::Owen, -0.75 },
+        { "soft_shadow", "pairs", Integrand::SoftShadow, Strategy::Pairs, -0.5 },
+        { "smooth", "uniform", Integrand::Smooth, Strategy::Uniform, -0.5 },
+        { "smooth", "stratified", Integrand::Smooth, Strategy::Stratified, -1.0 },
+        { "smooth", "owen", Integrand::Smooth, Strategy::Owen, -1.5 },
+        { "smooth", "pairs", Integrand::Smooth, Strategy::Pairs, -0.5 },
+    };
+
+    constexpr uint32_t numbersOfSamples[] = { 1, 4, 16, 64, 256, 1024, 4096 }; // squares, and powers of two
+
+    // More where they take little time: what is compared at 64 samples wants an error within a percent.
+    uint32_t numEstimates(uint32_t numSamples, const Options& options)
     {
-        const auto which = static_cast<worker::Integrand>(integrand.value);
-        const std::vector<double> truths = truthsOf(which);
-        std::vector<ErrorPoint> points;
-        for (uint32_t numSamples = 1; numSamples <= 4096; numSamples *= 4) { // squares, and powers of two
-            const worker::EstimateRequest request { which, static_cast<worker::Strategy>(strategy.value), numSamples,
-                options.numEstimates, 1 + numSamples * options.numEstimates };
-            points.push_back(
-                errorOf(renderer.ask<worker::Estimates>("sampling.estimates", request), truths, numSamples));
+        return options.numEstimates * std::clamp(4096 / numSamples, 1u, 16u);
+    }
+
+    // Of all that is measured, by samples. Who asks a worker clears the bar, which is drawn again.
+    class Progress {
+    public:
+        explicit Progress(double whole)
+            : m_whole(whole)
+        {
         }
-        return points;
-    }
 
-    nlohmann::json toJson(const std::vector<ErrorPoint>& points)
+        void add(double part)
+        {
+            m_done += part;
+            app::drawProgressBar(static_cast<float>(m_done / m_whole));
+        }
+
+    private:
+        double m_whole, m_done = 0.0;
+    };
+
+    double numSamplesOfCurve(const Options& options)
     {
-        nlohmann::json rows = nlohmann::json::array();
-        for (const ErrorPoint& p : points)
-            rows.push_back(
-                { { "samples", p.numSamples }, { "error", p.error }, { "mean", p.mean }, { "seconds", p.seconds } });
-        return rows;
+        double sum = 0.0;
+        for (const uint32_t numSamples : numbersOfSamples)
+            sum += static_cast<double>(numSamples) * numEstimates(numSamples, options);
+        return sum;
     }
 
-    // One sample is no pattern yet.
-    std::vector<ErrorPoint> ofMany(const std::vector<ErrorPoint>& points)
+    ErrorPoint measure(
+        app::Renderer& renderer, const Experiment& experiment, uint32_t numSamples, const Options& options)
     {
-        std::vector<ErrorPoint> many;
-        std::ranges::copy_if(points, std::back_inserter(many), [](const ErrorPoint& p) { return p.numSamples >= 16; });
-        return many;
+        const worker::EstimateRequest request { experiment.integrand, experiment.strategy, numSamples,
+            numEstimates(numSamples, options), numSamples * 0x01000193u };
+        return errorOf(
+            renderer.ask<worker::Estimates>("sampling.estimates", request), truthsOf(experiment.integrand), numSamples);
     }
 
-    const ErrorPoint& at64(const std::vector<ErrorPoint>& points)
+    ErrorCurve measureCurve(
+        app::Renderer& renderer, const Experiment& experiment, const Options& options, Progress& progress)
     {
-        return *std::ranges::find(points, 64u, &ErrorPoint::numSamples);
+        ErrorCurve curve {
+            .integrand = experiment.integrandName, .strategy = experiment.strategyName, .theory = experiment.slope
+        };
+        for (const uint32_t numSamples : numbersOfSamples) {
+            curve.points.push_back(measure(renderer, experiment, numSamples, options));
+            progress.add(static_cast<double>(numSamples) * numEstimates(numSamples, options));
+        }
+        curve.slope = fitSlope({ std::ranges::find(curve.points, 16u, &ErrorPoint::numSamples), curve.points.end() });
+        return curve;
     }
 
-    int measure(const Options& options)
+    std::vector<ErrorCurve> measureAll(const Options& options)
     {
         app::Renderer renderer(options.with);
-        nlohmann::json report;
-        fmt::print("{:<12} {:<11} {:>9} {:>9} {:>9}  {:<16} gain at 64\n", "integrand", "strategy", "at 16", "at 64",
-            "at 4096", "slope");
-        for (const Named& integrand : integrands) {
-            double uniformAt64 = 0.0;
-            for (const Named& strategy : strategies) {
-                const std::vector<ErrorPoint> points = measureCurve(renderer, integrand, strategy, options);
-                const Slope slope = fitSlope(ofMany(points));
-                const double error = at64(points).error;
-                if (uniformAt64 == 0.0)
-                    uniformAt64 = error;
-                const double gain = uniformAt64 * uniformAt64 / (error * error); // uniform's error falls as its root
-                fmt::print("{:<12} {:<11} {:>9.2e} {:>9.2e} {:>9.2e}  {:>5.2f} +- {:<7.2f} {:>5.1f}\n", integrand.name,
-                    strategy.name, points[2].error, error, points.back().error, slope.value, slope.halfInterval, gain);
-                report["slope"][integrand.name][strategy.name] = slope.value;
-                report["slope_half_interval"][integrand.name][strategy.name] = slope.halfInterval;
-                report["gain_at_64"][integrand.name][strategy.name] = gain;
-                report["points"][integrand.name][strategy.name] = toJson(points);
-            }
+        Progress progress(std::size(experiments) * numSamplesOfCurve(options));
+        std::vector<ErrorCurve> curves;
+        ErrorPoint uniformAt64 {}; // of the same integrand
+        printErrorHeader();
+        for (const Experiment& experiment : experiments) {
+            ErrorCurve curve = measureCurve(renderer, experiment, options, progress);
+            const ErrorPoint& at64 = *std::ranges::find(curve.points, 64u, &ErrorPoint::numSamples);
+            if (experiment.strategy == Strategy::Uniform)
+                uniformAt64 = at64;
+            curve.at64 = gainOver(uniformAt64, at64);
+            app::clearProgressBar();
+            print(curve);
+            curves.push_back(std::move(curve));
         }
-        if (!options.json.empty())
-            files::writeText(options.json, report.dump(2) + "\n");
-        return app::Success;
+        return curves;
     }
 
     int run(const Options& options)
     {
         try {
-            return measure(options);
+            const std::vector<ErrorCurve> curves = measureAll(options);
+            printTimes(curves);
+            if (!options.json.empty())
+                files::writeText(options.json, toJson(curves).dump(2) + "\n");
+            if (!options.plots.empty())
+                plot(curves, options.plots);
+            return app::Success;
         } catch (const worker::Failure& failure) {
             fmt::print(stderr, "the code of {} failed: {}\n", options.with, failure.what());
             return app::SubmissionFailed;
@@ -104,14 +143,20 @@ namespace {
 Command declareError(CLI::App& cli)
 {
     const auto options = std::make_shared<Options>();
-    CLI::App& command = *cli.add_subcommand("error", "Samples against error, where the truth is known");
+    CLI::App& command = *cli.add_subcommand("error", "Run time against error of sampling, where the truth is known");
     command.add_option("--with", options->with, "Whose code: student, reference, or a submission's folder")
         ->capture_default_str();
-    command.add_option("--estimates", options->numEstimates, "Estimates of each kind")
+    command
+        .add_option("--estimates", options->numEstimates, "Estimates of 4,096 samples; of fewer up to 16 times more")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     command.add_option("--json", options->json, "Write the figures to this file");
-    command.footer("Exit codes: 0 done, 2 bad input, 70 the submission's code failed.");
+    command.add_option("--plots", options->plots, "Draw them into this folder, as SVG and PNG, by gnuplot");
+    command.footer(
+        "edge, axis_edge: a pixel across which an edge lies, at any angle or along the pixel's sides. soft_shadow, "
+        "smooth: a parallelogram light, blocked in part or not at all. pairs: the light's points of two numbers that "
+        "are even each alone; of uniform ones they are the same as points.\n"
+        "Exit codes: 0 done, 2 bad input, 70 the submission's code failed.");
     return { &command, [options] { return run(*options); } };
 }
 

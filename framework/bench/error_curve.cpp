@@ -11,8 +11,11 @@ std::vector<double> truthsOf(worker::Integrand integrand)
     std::vector<double> truths;
     if (integrand == worker::Integrand::Edge || integrand == worker::Integrand::AxisEdge) {
         const worker::EdgePicture picture = worker::edgePicture(integrand);
-        for (const glm::dvec2 lower : picture.pixels)
-            truths.push_back(truth::areaOf(truth::clipToRectangle(picture.corners, lower, lower + 1.0)));
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const glm::dvec2 lower(picture.pixels[i]);
+            const truth::Polygon triangle(picture.triangles[i].begin(), picture.triangles[i].end());
+            truths.push_back(truth::areaOf(truth::clipToRectangle(triangle, lower, lower + 1.0)));
+        }
         return truths;
     }
     const worker::LitFloor floor = worker::litFloor(integrand);
@@ -33,7 +36,7 @@ ErrorPoint errorOf(const worker::Estimates& estimates, const std::vector<double>
         sumOfSquares += error * error;
     }
     const auto number = static_cast<double>(estimates.values.size());
-    return { numSamples, std::sqrt(sumOfSquares / number), sum / number, estimates.seconds / number };
+    return { numSamples, std::sqrt(sumOfSquares / number), sum / number, estimates.secondsEach };
 }
 
 Slope fitSlope(const std::vector<ErrorPoint>& points)
@@ -54,6 +57,27 @@ Slope fitSlope(const std::vector<ErrorPoint>& points)
     const double slope = xy / xx, freedom = number - 2.0;
     const double deviation = std::sqrt(std::max(0.0, yy - slope * xy) / freedom / xx);
     return { slope, deviation * boost::math::quantile(boost::math::students_t(freedom), 0.975) };
+}
+
+std::optional<double> secondsToReach(double error, const std::vector<ErrorPoint>& points)
+{
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const ErrorPoint &before = points[i - 1], &after = points[i];
+        if (before.error >= error && error >= after.error && before.error > after.error) {
+            const double part = std::log(before.error / error) / std::log(before.error / after.error);
+            return before.seconds * std::pow(after.seconds / before.seconds, part);
+        }
+    }
+    return {};
+}
+
+Gain gainOver(const ErrorPoint& uniform, const ErrorPoint& point)
+{
+    const double samplesAtEqualError = uniform.numSamples * std::pow(uniform.error / point.error, 2.0);
+    const double secondsAtEqualError = uniform.seconds * std::pow(uniform.error / point.error, 2.0);
+    const double errorAtEqualTime = uniform.error * std::sqrt(uniform.seconds / point.seconds);
+    return { samplesAtEqualError / point.numSamples, secondsAtEqualError / point.seconds,
+        errorAtEqualTime / point.error };
 }
 
 }

@@ -1,5 +1,4 @@
 #include "bench/measure.h"
-#include "bench/clock.h"
 
 namespace bench {
 namespace {
@@ -8,8 +7,7 @@ namespace {
 
     double trace(Rival& rival, Question question)
     {
-        return question == Question::Closest ? secondsOf([&] { rival.traceClosest(); })
-                                             : secondsOf([&] { rival.traceOccluded(); });
+        return question == Question::Closest ? rival.traceClosest() : rival.traceOccluded();
     }
 
     // Distances may differ by what rounding does to them.

@@ -67,9 +67,9 @@ std::vector<Row> makeRows(const Model& model, const RaySet& set, const Rivals& r
 
 nlohmann::json geometricMeans(const std::vector<Row>& rows)
 {
-    constexpr std::string_view robust[] = { "Embree robust" }, binary[] = { "binary" };
+    constexpr std::string_view robust[] = { "Embree robust" }, binary[] = { "binary" }, naive[] = { "naive" };
     return { { "embree_best", meansAgainst(rows, bestOfEmbree) }, { "embree_robust", meansAgainst(rows, robust) },
-        { "binary", meansAgainst(rows, binary) } };
+        { "binary", meansAgainst(rows, binary) }, { "naive", meansAgainst(rows, naive) } };
 }
 
 nlohmann::json toJson(const std::vector<Row>& rows)

@@ -4,6 +4,7 @@
 #include "bench/model_names.h"
 #include "files/error.h"
 #include "files/text.h"
+#include "worker/process.h"
 #include <nlohmann/json.hpp>
 
 namespace bench {
@@ -12,6 +13,7 @@ namespace {
     struct Options {
         ModelNames models;
         std::string json, compare;
+        std::string with = "reference";
         double tolerance = 5.0; // percent
         std::size_t numRays = 1 << 17;
         int numRepetitions = 5;
@@ -23,8 +25,11 @@ namespace {
         Rivals rivals;
         addWide(model.triangles, rivals);
         addEmbree(model.triangles, rivals);
-        if (!options.onlyFast)
+        if (!options.onlyFast) {
             addBinary(model.triangles, rivals);
+            addSubmission(options.with, model.triangles, rivals);
+            addNaive(model.triangles, rivals);
+        }
 
         std::vector<Row> rows;
         const accel::WideTree tree(model.triangles);
@@ -62,7 +67,7 @@ namespace {
         return isSlower ? slower : app::Success;
     }
 
-    int run(const Options& options)
+    int measureAndCompare(const Options& options)
     {
         const std::vector<Row> then = options.compare.empty() ? std::vector<Row>() : readRows(options.compare);
         const std::vector<Row> rows = measureAll(options);
@@ -71,6 +76,16 @@ namespace {
         if (!options.json.empty())
             files::writeText(options.json, report.dump(2) + "\n");
         return options.compare.empty() ? app::Success : compareWith(then, rows, options);
+    }
+
+    int run(const Options& options)
+    {
+        try {
+            return measureAndCompare(options);
+        } catch (const worker::Failure& failure) {
+            fmt::print(stderr, "the code of {} failed: {}\n", options.with, failure.what());
+            return app::SubmissionFailed;
+        }
     }
 
 }
@@ -89,8 +104,11 @@ Command declareTraversal(CLI::App& cli)
     command.add_option("--repetitions", options->numRepetitions, "Times that each ray is traced")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
+    command.add_option("--with", options->with, "Whose BVH::intersect: student, reference, or a submission's folder")
+        ->capture_default_str();
     command.add_flag("--only-fast", options->onlyFast, "Leave out those that take ten times as long");
-    command.footer("Exit codes: 0 done, 1 slower than what it is compared with, 2 bad input.");
+    command.footer("Exit codes: 0 done, 1 slower than what it is compared with, 2 bad input, "
+                   "70 the submission's code failed.");
     return { &command, [options] { return run(*options); } };
 }
 

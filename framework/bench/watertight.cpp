@@ -43,7 +43,7 @@ namespace {
     void countLeaks(Rival& rival, std::span<const Ray> rays, Leaks& leaks)
     {
         rival.load(rays);
-        rival.traceClosest();
+        (void)rival.traceClosest();
         for (std::size_t i = 0; i < rays.size(); ++i)
             (i % 2 == 0 ? leaks.corners : leaks.edges) += !std::isfinite(rival.distance(i));
     }

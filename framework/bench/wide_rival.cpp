@@ -22,17 +22,21 @@ namespace {
             m_occluded.assign(rays.size(), 0);
         }
 
-        void traceClosest() override
+        double traceClosest() override
         {
-            for (std::size_t i = 0; i < m_rays.size(); ++i)
-                if (const auto hit = m_tree->closest(m_rays[i], m_kernel))
-                    m_hits[i] = *hit;
+            return secondsOf([&] {
+                for (std::size_t i = 0; i < m_rays.size(); ++i)
+                    if (const auto hit = m_tree->closest(m_rays[i], m_kernel))
+                        m_hits[i] = *hit;
+            });
         }
 
-        void traceOccluded() override
+        double traceOccluded() override
         {
-            for (std::size_t i = 0; i < m_rays.size(); ++i)
-                m_occluded[i] = m_tree->occluded(m_rays[i], m_kernel);
+            return secondsOf([&] {
+                for (std::size_t i = 0; i < m_rays.size(); ++i)
+                    m_occluded[i] = m_tree->occluded(m_rays[i], m_kernel);
+            });
         }
 
         [[nodiscard]] float distance(std::size_t ray) const override { return m_hits[ray].t; }

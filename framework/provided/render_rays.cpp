@@ -3,11 +3,11 @@
 
 glm::vec3 renderRays(RenderState& state, std::span<const Ray> rays, int rayDepth)
 {
-    glm::vec3 sum { 0.0f };
+    glm::dvec3 sum { 0.0 }; // in float, a million rays would lose percents
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (values::EvenNumbers* even = state.sampler.even())
             even->startRay(static_cast<uint32_t>(i));
-        sum += renderRay(state, rays[i], rayDepth);
+        sum += glm::dvec3(renderRay(state, rays[i], rayDepth));
     }
-    return rays.empty() ? sum : sum / static_cast<float>(rays.size());
+    return rays.empty() ? glm::vec3(0.0f) : glm::vec3(sum / static_cast<double>(rays.size()));
 }

@@ -20,8 +20,8 @@ public:
     // a mistake in one file is not seen in another's results.
     void buildFeatureWorkers(const std::vector<std::string>& features);
 
-    // One worker with all files of the submission, stubs in place of those that are missing or refused. rest: as in
-    // Toolchain::restOf. Throws std::runtime_error when not even that links.
+    // One worker with all files of the submission, stubs in place of those that are missing or refused.
+    // rest: see Toolchain::restOf. Throws std::runtime_error when not even that links.
     [[nodiscard]] std::filesystem::path buildWholeWorker(const std::string& rest = "whole");
 
     // What became of a file, once it was needed.

@@ -16,19 +16,19 @@ namespace {
 
 void EvenNumbers::startRay(uint32_t ray)
 {
-    m_ray = ray;
+    m_ray = m_firstRay + ray;
     m_numPurposes = 1; // the first is where in the pixel the rays begin, asked for before there are rays
     m_numbers = m_points = {};
 }
 
 void EvenNumbers::expectNumbers(uint32_t number)
 {
-    m_numbers = { newSeed(), number };
+    m_numbers = newPurpose(number);
 }
 
 void EvenNumbers::expectPoints(uint32_t number)
 {
-    m_points = { newSeed(), number };
+    m_points = newPurpose(number);
 }
 
 float EvenNumbers::next1d()
@@ -37,7 +37,7 @@ float EvenNumbers::next1d()
         return nextUnexpected().x;
     const uint32_t cell = m_numbers.numHad;
     const float x = nextOf(m_numbers).x;
-    return m_method == Method::Owen ? x : inCell(cell, m_numbers.number, x);
+    return m_method != Method::Jittered ? x : inCell(cell, m_numbers.number, x);
 }
 
 glm::vec2 EvenNumbers::next2d()
@@ -47,7 +47,7 @@ glm::vec2 EvenNumbers::next2d()
     const uint32_t cell = m_points.numHad;
     const glm::vec2 point = nextOf(m_points);
     const auto side = static_cast<uint32_t>(std::sqrt(static_cast<double>(m_points.number)));
-    if (m_method == Method::Owen || cell >= side * side)
+    if (m_method != Method::Jittered || cell >= side * side)
         return point;
     return { inCell(cell % side, side, point.x), inCell(cell / side, side, point.y) };
 }
@@ -58,16 +58,34 @@ uint32_t EvenNumbers::newSeed()
     return m_seed * 0x9e3779b9u + m_numPurposes++; // owenSobol mixes it
 }
 
+// Before there are rays, each number is another ray's.
+EvenNumbers::Purpose EvenNumbers::newPurpose(uint32_t number)
+{
+    const uint32_t first = m_numPurposes == 0 ? m_ray : m_ray * number;
+    return { newSeed(), first, number, 0 };
+}
+
 glm::vec2 EvenNumbers::nextOf(Purpose& purpose)
 {
-    const uint32_t index = m_ray * purpose.number + purpose.numHad++;
-    return m_method == Method::Owen ? owenSobol(index, purpose.seed) : owenSobol(0, purpose.seed + index * 0x85ebca6bu);
+    return pointOf(purpose.first + purpose.numHad++, purpose.seed);
 }
 
 glm::vec2 EvenNumbers::nextUnexpected()
 {
-    const uint32_t seed = newSeed();
-    return m_method == Method::Owen ? owenSobol(m_ray, seed) : owenSobol(0, seed + m_ray * 0x85ebca6bu);
+    return pointOf(m_ray, newSeed());
+}
+
+glm::vec2 EvenNumbers::pointOf(uint32_t index, uint32_t seed) const
+{
+    switch (m_method) {
+    case Method::Owen:
+        return owenSobol(index, seed);
+    case Method::OwenPairs:
+        return { owenSobol(index, seed).x, owenSobol(index, ~seed).x };
+    case Method::Jittered:
+        break;
+    }
+    return owenSobol(0, seed + index * 0x85ebca6bu);
 }
 
 }

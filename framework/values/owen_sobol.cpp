@@ -23,20 +23,15 @@ namespace {
         return x;
     }
 
-    // Each digit depends on those before it: what lay in one half of an interval lies in one half again.
-    uint32_t scramble(uint32_t x, uint32_t seed)
+    // Sobol's second dimension of what is the first's: its matrix is Pascal's triangle modulo 2, the fifth power (by
+    // Kronecker) of the one of two digits.
+    uint32_t secondOfSobol(uint32_t digits)
     {
-        return reverseBits(flipUpwards(reverseBits(x), seed));
-    }
-
-    // Sobol's second dimension: its primitive polynomial is x + 1. The first is van der Corput's sequence.
-    uint32_t secondOfSobol(uint32_t index)
-    {
-        uint32_t digits = 0;
-        for (uint32_t direction = 1u << 31; index != 0; index >>= 1, direction ^= direction >> 1)
-            if (index & 1)
-                digits ^= direction;
-        return digits;
+        digits ^= (digits & 0xaaaaaaaau) >> 1;
+        digits ^= (digits & 0xccccccccu) >> 2;
+        digits ^= (digits & 0xf0f0f0f0u) >> 4;
+        digits ^= (digits & 0xff00ff00u) >> 8;
+        return digits ^ digits >> 16;
     }
 
     // Mixes bits: the finaliser of MurmurHash3, Appleby 2011.
@@ -49,16 +44,19 @@ namespace {
 
     float toFloat(uint32_t digits)
     {
-        return static_cast<float>(digits >> 8) * 0x1p-24f;
+        return static_cast<float>(reverseBits(digits) >> 8) * 0x1p-24f;
     }
 
 }
 
+// A number's digits after the point stand in order from the lowest bit on, so that flipUpwards lets each depend on
+// those before it: what lay in one half of an interval lies in one half again. The first of Sobol's dimensions has the
+// digits of the index, and its order is scrambled as a number is whose last digit comes first.
 glm::vec2 owenSobol(uint32_t index, uint32_t seed)
 {
     const uint32_t orderSeed = hash(seed + 1), xSeed = hash(orderSeed + 1), ySeed = hash(xSeed + 1); // hash(0) is 0
-    index = scramble(index, orderSeed);
-    return { toFloat(scramble(reverseBits(index), xSeed)), toFloat(scramble(secondOfSobol(index), ySeed)) };
+    const uint32_t digits = reverseBits(flipUpwards(reverseBits(index), orderSeed));
+    return { toFloat(flipUpwards(digits, xSeed)), toFloat(flipUpwards(secondOfSobol(digits), ySeed)) };
 }
 
 }

@@ -5,8 +5,8 @@
 #include "render.h"
 #include "scene.h"
 #include "values/even_numbers.h"
-#include "values/stopwatch.h"
 #include "worker/probe.h"
+#include <ctime>
 #include <framework/trackball.h>
 #include <glm/geometric.hpp>
 
@@ -23,31 +23,58 @@ namespace {
         mesh.material.kd = glm::vec3(1.0f);
     }
 
-    // Calls estimateAt(place, seed) for all estimates.
+    // That this thread had a processor: what else the machine does meanwhile does not count.
+    double secondsRun()
+    {
+        timespec time {};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
+    // Calls estimateAt(place, seed) for all estimates. Their time is the median of a few parts', as caches are shared.
     template <typename EstimateAt>
     Estimates estimateAll(const EstimateRequest& request, std::size_t numPlaces, const EstimateAt& estimateAt)
     {
+        constexpr uint32_t numParts = 15;
         Estimates estimates;
-        const values::Stopwatch watch;
-        for (uint32_t i = 0; i < request.number; ++i)
-            estimates.values.push_back(estimateAt(i % numPlaces, request.seed + i));
-        estimates.seconds = watch.seconds();
+        std::vector<double> secondsEach; // an estimate, by part
+        for (uint32_t part = 0, i = 0; part < numParts; ++part) {
+            const uint32_t first = i, end = static_cast<uint32_t>(uint64_t(request.number) * (part + 1) / numParts);
+            const double start = secondsRun();
+            for (; i < end; ++i)
+                estimates.values.push_back(estimateAt(i % numPlaces, request.seed + i));
+            if (first < end)
+                secondsEach.push_back((secondsRun() - start) / (end - first));
+        }
+        const auto middle = secondsEach.begin() + static_cast<std::ptrdiff_t>(secondsEach.size() / 2);
+        std::ranges::nth_element(secondsEach, middle);
+        estimates.secondsEach = secondsEach.empty() ? 0.0 : *middle;
         return estimates;
+    }
+
+    // On a plane across the view.
+    void addTriangles(Scene& scene, const EdgePicture& picture, const Trackball& camera)
+    {
+        for (const EdgePicture::Corners& corners : picture.triangles) {
+            std::vector<glm::vec3> onPlane;
+            for (const glm::dvec2& corner : corners) {
+                const Ray ray
+                    = camera.generateRay(glm::vec2(corner) / static_cast<float>(EdgePicture::side) * 2.0f - 1.0f);
+                onPlane.push_back(ray.origin + 4.0f / glm::dot(ray.direction, camera.forward()) * ray.direction);
+            }
+            addTriangle(scene, onPlane);
+        }
     }
 
     Estimates estimatePixels(const EstimateRequest& request)
     {
         const EdgePicture picture = edgePicture(request.integrand);
         const Trackball camera(0.87f, 4.0f);
-        std::vector<glm::vec3> corners; // on a plane across the view
-        for (const glm::dvec2& corner : picture.corners) {
-            const Ray ray = camera.generateRay(glm::vec2(corner) / static_cast<float>(EdgePicture::side) * 2.0f - 1.0f);
-            corners.push_back(ray.origin + 4.0f / glm::dot(ray.direction, camera.forward()) * ray.direction);
-        }
         Scene scene;
-        addTriangle(scene, corners);
+        addTriangles(scene, picture, camera);
         scene.lights.emplace_back(PointLight { camera.position(), glm::vec3(1.0f) });
         Features features;
+        features.enableAccelStructure = true;
         features.numPixelSamples = request.numSamples;
         features.enableJitteredSampling = request.strategy == Strategy::Stratified;
         const BVH bvh(scene, features);
@@ -55,10 +82,17 @@ namespace {
             values::EvenNumbers even(seed);
             RenderState state { scene, features, bvh,
                 request.strategy == Strategy::Owen ? Sampler(even) : Sampler(seed) };
-            return renderRays(
-                state, generatePixelRays(state, camera, picture.pixels[place], glm::ivec2(EdgePicture::side)))
-                .x;
+            const glm::ivec2 resolution(EdgePicture::side);
+            return renderRays(state, generatePixelRays(state, camera, picture.pixels[place], resolution)).x;
         });
+    }
+
+    values::EvenNumbers::Method methodOf(Strategy strategy)
+    {
+        using Method = values::EvenNumbers::Method;
+        return strategy == Strategy::Owen ? Method::Owen
+            : strategy == Strategy::Pairs ? Method::OwenPairs
+                                          : Method::Jittered;
     }
 
     Estimates estimateLight(const EstimateRequest& request)
@@ -73,8 +107,7 @@ namespace {
         HitInfo hitInfo { .normal = { 0.0f, 1.0f, 0.0f } };
         hitInfo.material.kd = glm::vec3(1.0f);
         return estimateAll(request, floor.points.size(), [&](std::size_t place, uint32_t seed) {
-            using Method = values::EvenNumbers::Method;
-            values::EvenNumbers even(seed, request.strategy == Strategy::Owen ? Method::Owen : Method::Jittered);
+            values::EvenNumbers even(seed, methodOf(request.strategy));
             even.expectPoints(request.numSamples);
             RenderState state { scene, features, bvh,
                 request.strategy == Strategy::Uniform ? Sampler(seed) : Sampler(even) };

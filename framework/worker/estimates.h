@@ -4,7 +4,8 @@
 
 namespace worker {
 
-enum class Strategy : uint32_t { Uniform, Stratified, Owen };
+// Pairs: points of two numbers, of which each is even alone. Of lights only.
+enum class Strategy : uint32_t { Uniform, Stratified, Owen, Pairs };
 
 // What the probe sampling.estimates is asked for.
 struct EstimateRequest {
@@ -17,7 +18,7 @@ struct EstimateRequest {
 
 struct Estimates {
     std::vector<float> values;
-    double seconds = 0.0; // for all of them
+    double secondsEach = 0.0;
 };
 
 // By the submission's functions.
@@ -25,12 +26,12 @@ struct Estimates {
 
 inline Message& operator<<(Message& message, const Estimates& e)
 {
-    return message << e.values << e.seconds;
+    return message << e.values << e.secondsEach;
 }
 
 inline Reader& operator>>(Reader& reader, Estimates& e)
 {
-    return reader >> e.values >> e.seconds;
+    return reader >> e.values >> e.secondsEach;
 }
 
 }

@@ -1,25 +1,16 @@
 #include "worker/integrand.h"
+#include "sampler.h"
+#include <numbers>
 
 namespace worker {
 namespace {
 
-    // On which side of the line, and how far.
-    double heightOver(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& p)
+    // Within sqrt(2) of the point, which is all of its pixel, it covers what is on the left of the direction; beyond 2
+    // it covers nothing.
+    EdgePicture::Corners triangleWithEdge(const glm::dvec2& point, const glm::dvec2& direction)
     {
-        return ((to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x)) / glm::length(to - from);
-    }
-
-    // Whether the first edge passes between the corners of the pixel, and the others stay away.
-    bool isOnFirstEdge(const std::vector<glm::dvec2>& corners, const glm::ivec2& pixel)
-    {
-        int numInside = 0;
-        for (const glm::ivec2 offset : { glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1) }) {
-            const glm::dvec2 p(pixel + offset);
-            if (heightOver(corners[1], corners[2], p) <= 0.0 || heightOver(corners[2], corners[0], p) <= 0.0)
-                return false;
-            numInside += heightOver(corners[0], corners[1], p) > 0.0;
-        }
-        return numInside > 0 && numInside < 4;
+        const glm::dvec2 left(-direction.y, direction.x);
+        return { point - 2.0 * direction, point + 2.0 * direction, point + 2.0 * left };
     }
 
 }
@@ -27,13 +18,17 @@ namespace {
 EdgePicture edgePicture(Integrand integrand)
 {
     EdgePicture picture;
-    picture.corners = integrand == Integrand::Edge
-        ? std::vector<glm::dvec2> { { -20.3, -5.2 }, { 40.1, 24.9 }, { -10.0, 60.0 } }
-        : std::vector<glm::dvec2> { { -30.0, 7.37 }, { 46.0, 7.37 }, { 8.0, 60.0 } }; // between two lines of any grid
-    for (int y = 0; y < EdgePicture::side; ++y)
-        for (int x = 0; x < EdgePicture::side; ++x)
-            if (isOnFirstEdge(picture.corners, { x, y }))
-                picture.pixels.emplace_back(x, y);
+    Sampler sampler(1);
+    for (int tile = 0; tile < EdgePicture::numTiles * EdgePicture::numTiles; ++tile) {
+        const glm::ivec2 corner(tile % EdgePicture::numTiles, tile / EdgePicture::numTiles);
+        const glm::ivec2 pixel = EdgePicture::tileSide * corner + EdgePicture::tileSide / 2;
+        const glm::dvec2 point = glm::dvec2(pixel) + glm::dvec2(sampler.next_2d());
+        const double turns = static_cast<double>(sampler.next_1d());
+        const double angle
+            = 2.0 * std::numbers::pi * (integrand == Integrand::Edge ? turns : std::floor(4.0 * turns) / 4.0);
+        picture.triangles.push_back(triangleWithEdge(point, { std::cos(angle), std::sin(angle) }));
+        picture.pixels.push_back(pixel);
+    }
     return picture;
 }
 

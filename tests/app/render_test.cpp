@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sys/wait.h>
 
@@ -67,6 +68,13 @@ TEST_CASE("Bad input to render ends with exit code 2 and one line that says wher
             "found the pixel 9,0, expected one of a picture of 9 x 9" },
         { "", scenes + "cube.toml --orbit up", "--orbit: found 'up', expected X,Y" },
         { "", scenes + "cube.toml --show norm", "found the quantity 'norm', expected one of color, normal, " },
+        { "", scenes + "cube.toml --error 0", "--error: found '0', expected a number above 0, at most 1" },
+        { "", scenes + "cube.toml --error 2", "--error: found '2', expected a number above 0, at most 1" },
+        { "", scenes + "cube.toml --error 1%", "--error: found '1%', expected a number" },
+        { "", scenes + "cube.toml --error nan", "--error: found 'nan', expected a number" },
+        { "", scenes + "cube.toml --time -1", "--time: found '-1', expected a number above 0" },
+        { "", scenes + "cube.toml --time soon", "--time: found 'soon', expected a number above 0" },
+        { "", scenes + "cube.toml --error 0.1 --set motion_blur=true", "found the feature motion_blur" },
         { "", scenes + "cube.toml --with no_such_folder", "no_such_folder: found no folder" },
     }));
     INFO(c.text << c.arguments);
@@ -88,6 +96,30 @@ TEST_CASE("A picture has the size asked for, and the same bytes for any number o
     const auto picture = files::loadPicture(work / "one.png");
     CHECK(picture->width == 48);
     CHECK(picture->height == 32);
+}
+
+TEST_CASE("A picture to an error says what it took and what it believes, and is the same for any number of threads",
+    "[render]")
+{
+    const std::string arguments = scenes + "cornell_box_parallelogram_light.toml --size 48x32 --error 0.02 -o '";
+    const Outcome one = render(arguments + (work / "one.png").string() + "' --threads 1");
+    REQUIRE(one.exitCode == 0);
+    CHECK_THAT(one.output, Catch::Contains(" samples a pixel, 8 to "));
+    CHECK_THAT(one.output, Catch::Contains("its error is believed to be 0.0"));
+    REQUIRE(render(arguments + (work / "many.png").string() + "'").exitCode == 0);
+    CHECK(bytesOf(work / "one.png") == bytesOf(work / "many.png"));
+
+    const Outcome both = render(arguments + (work / "one.png").string() + "' --samples 4");
+    CHECK(both.exitCode == 2);
+    CHECK_THAT(both.errors, Catch::Contains("excludes"));
+}
+
+TEST_CASE("A picture in a limited time is done, by code that is not written yet, too", "[render]")
+{
+    const std::string arguments = scenes + "cornell_box.toml --size 16x16 --with student --time 0.1 -o '";
+    const Outcome outcome = render(arguments + (work / "timed.png").string() + "'");
+    CHECK(outcome.exitCode == 0);
+    CHECK_THAT(outcome.output, Catch::Contains("8.0 samples a pixel, 8 to 8; its error is believed to be 0"));
 }
 
 TEST_CASE("The stubs render every scene's silhouette from day one", "[render]")
@@ -191,4 +223,31 @@ TEST_CASE("The texels of a lookup are told with their weights", "[render]")
         sum += texel.at("weight").get<double>();
     CHECK(sum == Approx(1.0).margin(1e-4)); // what is below that is left out
     CHECK(lookups.at(0).at("texels").size() == 4);
+}
+
+TEST_CASE("What is skipped changes no pixel, whoever wrote the code", "[render]")
+{
+    const std::string folder(submission::sourceDirectory);
+    const std::string with = GENERATE_COPY(values<std::string>(
+        { "student", "'" + folder + "/tests/grading/course'", "'" + folder + "/tests/grading/course_2023'" }));
+    const std::string scene = GENERATE(values<std::string>({ "cornell_box", "transparent_shadows", "soft_shadows" }));
+    const auto pictureWith = [&](const std::string& skipping) {
+        const std::string output = (work / (skipping + ".exr")).string();
+        const Outcome outcome = render(scenes + scene + ".toml --size 24x18 --with " + with + " -o '" + output
+            + "' --set reflections=true --set transparency=true --set skipping=" + skipping);
+        REQUIRE(outcome.exitCode == 0);
+        // The file says when it was made.
+        return std::regex_replace(bytesOf(output), std::regex(R"(\d{4}:\d\d:\d\d \d\d:\d\d:\d\d)"), "");
+    };
+    CHECK(pictureWith("true") == pictureWith("false"));
+}
+
+TEST_CASE("What a picture needs is explained, with why the rest is left out", "[render]")
+{
+    const Outcome outcome = render(scenes + "cornell_box.toml --size 24x18 --explain --set transparency=true");
+    CHECK(outcome.exitCode == 0);
+    for (const std::string line : { "triangles  *yes", "spheres  *no: the scene has none",
+             "mirrors  *no: every material", "transparency  *no: every material is opaque", "light from behind  *no: ",
+             "rays from the camera  *432", "rays to lights, left out  *[1-9]", "textures decoded  *0 of 0" })
+        CHECK(std::regex_search(outcome.output, std::regex(line)));
 }

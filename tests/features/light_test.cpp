@@ -209,7 +209,7 @@ TEST_CASE("A texture colours the light that goes through its surface", "[light]"
         < fewRoundings);
 }
 
-TEST_CASE("A point light gives the shading from its direction, at any distance alike", "[light]")
+TEST_CASE("A point light gives the shading from its direction, at any distance but 0 alike", "[light]")
 {
     World world({}, shaded);
     Random random(1, "point light");
@@ -218,6 +218,8 @@ TEST_CASE("A point light gives the shading from its direction, at any distance a
         const glm::dvec3 expected = lambertAt(glm::dvec3(light.position), glm::dvec3(light.color));
         CHECK(distance(computeContributionPointLight(world.state, light, view, floorHit()), expected) < fewRoundings);
     }
+    const PointLight inThePoint { view.origin + view.t * view.direction, lightColor }; // it has no direction
+    CHECK(computeContributionPointLight(world.state, inThePoint, view, floorHit()) == glm::vec3(0.0f));
 }
 
 TEST_CASE("An area light without extent is a point light, for any number of samples", "[light]")

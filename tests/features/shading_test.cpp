@@ -247,6 +247,18 @@ TEST_CASE("Furnace: under equal light from everywhere the models give what their
     }
 }
 
+TEST_CASE(
+    "No highlight is brighter than the light, also where vectors are rounded to more than unit length", "[shading]")
+{
+    World world;
+    constexpr glm::vec3 longUp { 0.0f, 0.0f, 0x1.000002p0f };
+    Case c { longUp, longUp, glm::vec3(1.0f), {} };
+    c.hit.normal = longUp;
+    c.hit.material = { .ks = glm::vec3(0.5f), .shininess = 1e6f };
+    for (const Model model : { phong, blinnPhong })
+        CHECK(model(world, c) == c.hit.material.ks);
+}
+
 TEST_CASE("Turning surface, light and view together changes no model", "[shading]")
 {
     World world;

@@ -1,4 +1,5 @@
 #include "values/owen_sobol.h"
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -28,6 +29,13 @@ TEST_CASE("Owen's points, a power of two of them in a row has one in each elemen
             for (const uint32_t block : { 0u, 1u, 5u })
                 for (int a = 0; a <= k; ++a)
                     REQUIRE(countInBoxes(block << k, k, a, seed) == std::vector<int>(std::size_t(1) << k, 1));
+}
+
+TEST_CASE("Owen's points, so have many of them", "[sampling]")
+{
+    constexpr int k = 18; // beyond half of an index's digits
+    for (const int a : { 3, 9, 17 })
+        REQUIRE(std::ranges::count(countInBoxes(0, k, a, 1), 1) == 1 << k);
 }
 
 TEST_CASE("Owen's points, other seeds give others, and other orders", "[sampling]")

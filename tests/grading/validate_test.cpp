@@ -39,7 +39,7 @@ fs::path bankOf(const std::string& wrong, const std::string& accepted)
 }
 
 const std::string replacesColor = "replace = [['hitColor += hitInfo', 'hitColor = hitInfo']]\n";
-const std::string movesOrigin = "replace = [['return 1e-4f *', 'return 0.2f *']]\n";
+const std::string movesOrigin = "replace = [['return 0x1p-15f *', 'return 0.2f *']]\n";
 
 }
 

@@ -3,7 +3,8 @@
 
 namespace accel {
 
-WideTree::WideTree(std::span<const Triangle> triangles)
+WideTree::WideTree(std::span<const Triangle> triangles, const wide::Kernel& kernel)
+    : m_kernel(kernel)
 {
     if (const wide::BinaryTree binary = wide::buildBinaryTree(triangles); binary.nodes) {
         wide::WideNodes wide = wide::collapse(binary, triangles);

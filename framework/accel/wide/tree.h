@@ -20,9 +20,9 @@ public:
     using Triangle = wide::Triangle;
     using Hit = wide::Hit;
 
-    explicit WideTree(std::span<const Triangle> triangles);
-
     // kernel: one that this processor can run.
+    explicit WideTree(std::span<const Triangle> triangles, const wide::Kernel& kernel = wide::bestKernel());
+
     [[nodiscard]] std::optional<Hit> closest(const Ray& ray) const { return closest(ray, m_kernel); }
     [[nodiscard]] std::optional<Hit> closest(const Ray& ray, const wide::Kernel& kernel) const
     {
@@ -46,7 +46,7 @@ private:
     std::vector<wide::Node, wide::LargePages<wide::Node>> m_nodes;
     std::vector<wide::Block, wide::LargePages<wide::Block>> m_blocks;
     wide::View m_view {};
-    const wide::Kernel& m_kernel = wide::bestKernel();
+    const wide::Kernel& m_kernel;
 };
 
 }

@@ -1,0 +1,26 @@
+#pragma once
+#include "grading/stress/tally.h"
+#include "worker/process.h"
+#include <filesystem>
+#include <memory>
+
+namespace stress {
+
+// Asks a submission's worker, which starts when it is first asked and again whenever it is gone.
+class Asker {
+public:
+    Asker(std::filesystem::path worker, uint64_t seed);
+
+    // All these inputs: one that takes the worker with it is found by halves, and the others are judged.
+    void ask(const Stress& kind, const Range& range, Tally& tally);
+
+private:
+    void ask(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience);
+    void askAtOnce(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience);
+
+    std::filesystem::path m_worker;
+    uint64_t m_seed;
+    std::unique_ptr<worker::Process> m_process;
+};
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+#include "grading/stress/run.h"
+
+namespace stress {
+
+// What became of all that was asked, ready to be told.
+struct Report {
+    std::string submission; // as the user named it
+    uint64_t seed = 1;
+    double seconds = 0.0;
+    const Tallies& tallies;
+};
+
+[[nodiscard]] bool allPassed(const Report& report);
+
+// The line that asks the one input of a failure again.
+[[nodiscard]] std::string reproduction(const Report& report, const Stress& kind, const Failure& failure);
+
+// What a terminal shows: a row for each kind, and every failure that was kept.
+[[nodiscard]] std::string table(const Report& report);
+
+[[nodiscard]] std::string json(const Report& report);
+
+}

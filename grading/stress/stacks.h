@@ -1,0 +1,18 @@
+#pragma once
+#include "grading/stress/probes/stack.h"
+#include "grading/stress/random.h"
+#include <string>
+
+// Panes above each other, for lights and rays to go through.
+namespace stress {
+
+[[nodiscard]] std::string describeStack(const Stack& stack);
+
+// Without panes, in any position; of any size from 1e-3 to 1e3, and up to twice that from the origin.
+[[nodiscard]] Stack anyStack(Random& random);
+
+// So many panes of glass above the highest, a hundredth of the stack's size apart or more: rays may start a thousandth
+// beside a surface.
+void addGlass(Random& random, Stack& stack, int count);
+
+}
