@@ -16,6 +16,9 @@ struct Report {
 // The line that asks the one input of a failure again.
 [[nodiscard]] std::string reproduction(const Report& report, const Stress& kind, const Failure& failure);
 
+// A failure in lines: what was asked, what came, what was expected, and how to ask again.
+[[nodiscard]] std::string paragraph(const Report& report, const Stress& kind, const Failure& failure);
+
 // What a terminal shows: a row for each kind, and every failure that was kept.
 [[nodiscard]] std::string table(const Report& report);
 

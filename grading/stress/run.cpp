@@ -107,7 +107,7 @@ Tallies run(const std::filesystem::path& worker, const Plan& plan, const std::fu
         work.tallies[portion.kind];
     std::vector<std::thread> threads;
     for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back(askInTurn, std::ref(work), Asker(worker, plan.seed), std::cref(onProgress));
+        threads.emplace_back(askInTurn, std::ref(work), Asker(worker, plan.seed, plan.patience), std::cref(onProgress));
     for (std::thread& thread : threads)
         thread.join();
     if (work.error)
