@@ -1,7 +1,6 @@
 #include "grading/stress_rows.h"
 #include "grading/harmless.h"
 #include "grading/stress/report.h"
-#include "submission/digest.h"
 #include "submission/submission.h"
 #include <array>
 #include <fmt/format.h>
@@ -11,28 +10,25 @@
 namespace grading {
 namespace {
 
-    // What the names of cases begin with, in the order of the report. Only those that ask functions of a submission's
-    // file: the rest, such as "shading" and "triangle", passes whatever is handed in.
-    struct StressPart {
-        std::string name;
-        std::string file; // without .cpp
+    struct StressedFile {
+        std::string name; // without .cpp
+        std::vector<std::string> cases; // what the names begin with; the others ask the framework alone
         std::string usualCause;
     };
 
-    const std::array<StressPart, 8> parts { {
-        { "gradient", "shading", "0 / 0 between equal positions, or components that are not sorted" },
-        { "recursive", "recursive", "an offset that does not suit the scene's scale" },
-        { "recursion", "recursive", "a depth or a weight that is lost on the way" },
-        { "bvh", "bvh", "0 * infinity in the test of a box, or one without height" },
-        { "interpolate", "interpolate", "a division by an area or a length of 0" },
-        { "texture", "texture", "an index outside the image, or half a texel forgotten" },
-        { "light", "light", "a shadow ray that meets its own surface, or goes beyond the light" },
-        { "camera", "render", "a pixel's corner or size that is off" },
+    const std::array<StressedFile, 7> stressedFiles { {
+        { "shading", { "gradient" }, "0 / 0 between equal positions, or components that are not sorted" },
+        { "recursive", { "recursive", "recursion" }, "an offset that does not follow the scene's scale" },
+        { "bvh", { "bvh" }, "0 * infinity in the test of a box, or a box without height" },
+        { "interpolate", { "interpolate" }, "a division by an area or a length of 0" },
+        { "texture", { "texture" }, "an index outside the image, or half a texel forgotten" },
+        { "light", { "light" }, "a shadow ray that meets its own surface, or goes beyond the light" },
+        { "render", { "camera" }, "a pixel's corner or size that is off" },
     } };
 
-    std::string rowName(const StressPart& part)
+    std::string rowName(const StressedFile& file)
     {
-        return "stress." + part.name;
+        return "stress." + file.name;
     }
 
     struct Verdict {
@@ -64,7 +60,7 @@ namespace {
         for (const auto& [kind, tally] : report.tallies) {
             if (!tally.failures.empty())
                 return { statusOf(tally.failures.front()),
-                    countOf(report.tallies) + ", the first of them "
+                    countOf(report.tallies) + ", the first of them\n"
                         + stress::paragraph(report, *kind, tally.failures.front()) };
             unwritten.insert(tally.unwrittenFunctions.begin(), tally.unwrittenFunctions.end());
         }
@@ -73,54 +69,45 @@ namespace {
         return {};
     }
 
-    // A submission's worker with all its files, or why there is none.
-    struct StressWorker {
-        explicit StressWorker(const std::filesystem::path& folder)
-            : submission(folder)
-        {
-            try {
-                file = submission.buildWholeWorker("stressed");
-                digest = submission::Digest().addFile(file).hex();
-            } catch (const std::runtime_error& error) { // files that each link alone may define the same twice
-                errors = error.what();
-            }
-        }
-
-        submission::Submission submission;
-        std::filesystem::path file {};
-        std::string digest {}, errors {};
-    };
-
-    // So many cases find what is wrong often, in a second; an endless loop is met by many kinds of them.
-    Verdict ask(const Assignment& assignment, const StressWorker& worker, const StressPart& part)
+    // In a second; what is wrong often is found.
+    stress::Tallies askAll(const std::filesystem::path& worker, const StressedFile& file, uint64_t seed)
     {
-        if (!worker.errors.empty())
-            return { Status::Refused, worker.errors };
-        if (const submission::Part& file = worker.submission.part(part.file); file.state == submission::State::Refused)
-            return { Status::Refused, file.message };
-        const uint64_t seed = assignment.secret.seedOf(worker.digest, rowName(part));
-        const stress::Plan plan {
-            .only = part.name, .seed = seed, .numCases = 20000, .patience = std::chrono::seconds(3)
-        };
-        const stress::Tallies tallies = stress::run(worker.file, plan);
-        return judge({ assignment.submission.string(), seed, 0.0, tallies });
+        stress::Plan plan { .seed = seed, .numCases = 20000, .patience = std::chrono::seconds(3) };
+        stress::Tallies tallies;
+        for (const std::string& cases : file.cases) {
+            plan.only = cases;
+            tallies.merge(stress::run(worker, plan));
+        }
+        return tallies;
     }
 
-    Row toRow(const StressPart& part, double points, const Verdict& verdict)
+    Verdict ask(const Assignment& assignment, submission::Submission& submission, const StressedFile& file)
+    {
+        const submission::Program worker = submission.buildStressedWorker(file.name);
+        if (const submission::Part& part = submission.part(file.name); part.state == submission::State::Refused)
+            return { Status::Refused, part.message };
+        if (!worker.errors.empty())
+            return { Status::Refused, worker.errors };
+        const uint64_t seed = assignment.secret.seedOf(worker.key, rowName(file));
+        const stress::Tallies tallies = askAll(worker.file, file, seed);
+        return judge({ assignment.submission.string(), file.name, seed, 0.0, tallies });
+    }
+
+    Row toRow(const StressedFile& file, double points, const Verdict& verdict)
     {
         const bool isWrong = verdict.status == Status::Wrong;
-        return { rowName(part), "stress", verdict.status == Status::Passed ? points : 0.0, points, verdict.status,
-            harmless(verdict.message), nullptr, isWrong ? part.usualCause : "" };
+        return { rowName(file), "stress", verdict.status == Status::Passed ? points : 0.0, points, verdict.status,
+            harmless(verdict.message), nullptr, isWrong ? file.usualCause : "" };
     }
 
 }
 
 std::vector<Row> stressRows(const Assignment& assignment, double points, const std::function<void(const Row&)>& onRow)
 {
-    const StressWorker worker { assignment.submission };
+    submission::Submission submission { assignment.submission };
     std::vector<Row> rows;
-    for (const StressPart& part : parts) {
-        rows.push_back(toRow(part, points / parts.size(), ask(assignment, worker, part)));
+    for (const StressedFile& file : stressedFiles) {
+        rows.push_back(toRow(file, points / stressedFiles.size(), ask(assignment, submission, file)));
         onRow(rows.back());
     }
     return rows;
@@ -129,8 +116,8 @@ std::vector<Row> stressRows(const Assignment& assignment, double points, const s
 std::vector<std::string> namesOfStressRows()
 {
     std::vector<std::string> names;
-    for (const StressPart& part : parts)
-        names.push_back(rowName(part));
+    for (const StressedFile& file : stressedFiles)
+        names.push_back(rowName(file));
     return names;
 }
 

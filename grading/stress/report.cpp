@@ -73,8 +73,9 @@ bool allPassed(const Report& report)
 
 std::string reproduction(const Report& report, const Stress& kind, const Failure& failure)
 {
-    return fmt::format(
-        "./raywork stress {} --only {} --seed {} --case {}", report.submission, kind.name, report.seed, failure.input);
+    const std::string alone = report.alone.empty() ? "" : " --alone " + report.alone;
+    return fmt::format("./raywork stress {}{} --only {} --seed {} --case {}", report.submission, alone, kind.name,
+        report.seed, failure.input);
 }
 
 std::string paragraph(const Report& report, const Stress& kind, const Failure& failure)

@@ -6,6 +6,7 @@ namespace stress {
 // What became of all that was asked, ready to be told.
 struct Report {
     std::string submission; // as the user named it
+    std::string alone; // the file that was asked beside the reference's others; empty: all files together
     uint64_t seed = 1;
     double seconds = 0.0;
     const Tallies& tallies;

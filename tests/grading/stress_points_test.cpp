@@ -8,33 +8,33 @@
 
 static const std::filesystem::path root { submission::sourceDirectory };
 
-// The row of a part.
-static nlohmann::json rowOf(const Graded& graded, const std::string& part)
+// The row of a file.
+static nlohmann::json rowOf(const Graded& graded, const std::string& file)
 {
     for (const auto& check : graded.json.at("checks"))
-        if (check.at("name") == "stress." + part)
+        if (check.at("name") == "stress." + file)
             return check;
-    FAIL("no row of " << part);
+    FAIL("no row of " << file);
     return {};
 }
 
 TEST_CASE("The reference stands up to stress, and gets the points for it beside the 100", "[grading]")
 {
     const auto seed = GENERATE(1, 2);
-    const Graded graded = grade(root / "reference", "--stress-points 12 --seed " + std::to_string(seed));
+    const Graded graded = grade(root / "reference", "--stress-points 14 --seed " + std::to_string(seed));
     INFO(graded.printed);
     CHECK(graded.exitCode == 0);
-    CHECK(graded.json.at("score") == 112);
-    CHECK(graded.json.at("features").at("stress").at("max_score") == 12);
+    CHECK(graded.json.at("score") == 114);
+    CHECK(graded.json.at("features").at("stress").at("max_score") == 14);
     CHECK(graded.lost("stress") == 0);
 }
 
-TEST_CASE("Stubs do not stand up to stress: no part is attempted", "[grading]")
+TEST_CASE("Stubs do not stand up to stress: no file is attempted", "[grading]")
 {
-    const Graded graded = grade(root / "student", "--stress-points 12");
+    const Graded graded = grade(root / "student", "--stress-points 14");
     INFO(graded.printed);
-    CHECK(graded.lost("stress") == 12);
-    CHECK(graded.count("stress", "not attempted") == 8);
+    CHECK(graded.lost("stress") == 14);
+    CHECK(graded.count("stress", "not attempted") == 7);
 }
 
 TEST_CASE("An offset that suits the scenes alone costs its own part, and the line shown repeats that", "[grading]")
@@ -42,7 +42,7 @@ TEST_CASE("An offset that suits the scenes alone costs its own part, and the lin
     const auto folder = copyOfReference("recursive", [](const std::string& text) {
         return replaced(text, "point + originOffset(ray) * hitInfo.normal", "point + 1e-3f * hitInfo.normal");
     });
-    const Graded graded = grade(folder, "--stress-points 16");
+    const Graded graded = grade(folder, "--stress-points 14");
     INFO(graded.printed);
     CHECK(graded.lostElsewhere("stress") == 0);
     CHECK(graded.lost("stress") == 2);
@@ -60,11 +60,11 @@ TEST_CASE("An offset that suits the scenes alone costs its own part, and the lin
 
 TEST_CASE("A feature alone is graded without stress, and a pattern hides its rows", "[grading]")
 {
-    const Graded alone = grade(root / "reference", "--stress-points 12 --only texture");
+    const Graded alone = grade(root / "reference", "--stress-points 14 --only texture");
     CHECK(alone.json.at("max_score") == 10);
     const Graded hidden = grade(root / "student", "--stress-points 0 --hide 'stress.*'");
     INFO(hidden.printed);
     CHECK(hidden.json.at("max_score") == 100);
-    CHECK(hidden.count("stress", "hidden") == 8);
+    CHECK(hidden.count("stress", "hidden") == 7);
     CHECK(grade(root / "reference", "--only texture --hide 'stress.*'").exitCode == 2);
 }
