@@ -53,6 +53,15 @@ namespace {
         return fmt::format("{} of {} cases failed", failed, asked);
     }
 
+    // What was asked may be a whole scene, which the line that asks again tells in full.
+    stress::Failure shortened(stress::Failure failure)
+    {
+        constexpr std::size_t longest = 600;
+        if (failure.asked.size() > longest)
+            failure.asked.replace(longest, std::string::npos, " ...");
+        return failure;
+    }
+
     // The first failure decides; without one, functions that are not written do.
     Verdict judge(const stress::Report& report)
     {
@@ -61,7 +70,7 @@ namespace {
             if (!tally.failures.empty())
                 return { statusOf(tally.failures.front()),
                     countOf(report.tallies) + ", the first of them\n"
-                        + stress::paragraph(report, *kind, tally.failures.front()) };
+                        + stress::paragraph(report, *kind, shortened(tally.failures.front())) };
             unwritten.insert(tally.unwrittenFunctions.begin(), tally.unwrittenFunctions.end());
         }
         if (!unwritten.empty())
@@ -69,10 +78,12 @@ namespace {
         return {};
     }
 
-    // In a second; what is wrong often is found.
+    // In a second: what is wrong often is found. Of a file that hangs more need not be known.
     stress::Tallies askAll(const std::filesystem::path& worker, const StressedFile& file, uint64_t seed)
     {
-        stress::Plan plan { .seed = seed, .numCases = 20000, .patience = std::chrono::seconds(3) };
+        stress::Plan plan {
+            .seed = seed, .numCases = 20000, .patience = std::chrono::seconds(3), .stopsWhenGivenUp = true
+        };
         stress::Tallies tallies;
         for (const std::string& cases : file.cases) {
             plan.only = cases;

@@ -13,6 +13,7 @@ struct Plan {
     uint64_t seed = 1;
     std::optional<std::size_t> numCases; // random ones, about, in all; otherwise what each kind says
     std::chrono::seconds patience { 20 }; // with a message; one that asks for all numbers of a sampler takes seconds
+    bool stopsWhenGivenUp = false; // asks no more of any kind once one has taken too many workers with it
     std::optional<std::size_t> input; // this one alone, of the one kind that `only` names
 };
 
