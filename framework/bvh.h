@@ -46,6 +46,9 @@ private:
 // Provided: the closest hit by the library's own traversal, with the result of BVHInterface::intersect.
 bool intersectRayWithBVH(RenderState& state, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo);
 
+// Provided: whether the ray meets anything at a distance in [0, ray.t], by the library's own traversal.
+[[nodiscard]] bool isOccludedByBVH(RenderState& state, const BVHInterface& bvh, const Ray& ray);
+
 // In the 2023-24 edition these were the student's.
 [[nodiscard]] AxisAlignedBox computePrimitiveAABB(const BVHInterface::Primitive primitive);
 [[nodiscard]] AxisAlignedBox computeSpanAABB(std::span<const BVHInterface::Primitive> primitives);

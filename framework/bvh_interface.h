@@ -43,6 +43,15 @@ struct BVHInterface {
     // distance and hitInfo describes the hit; if not, both are as they were.
     virtual bool intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const = 0;
 
+    // Whether the ray meets anything at a distance in [0, ray.t]: what a shadow ray asks. The library's own tree stops
+    // at the first that it finds; another's answers by its closest hit.
+    [[nodiscard]] virtual bool isOccluded(RenderState& state, const Ray& ray) const
+    {
+        Ray shortened = ray;
+        HitInfo unused;
+        return intersect(state, shortened, unused);
+    }
+
     [[nodiscard]] virtual std::span<const Node> nodes() const = 0;
     [[nodiscard]] virtual std::span<Node> nodes() = 0;
     [[nodiscard]] virtual std::span<const Primitive> primitives() const = 0;

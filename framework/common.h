@@ -68,6 +68,7 @@ struct ExtraFeatures {
     bool enableGlossyReflection = false;
     bool enableMipmapTextureFiltering = false;
     bool enableMotionBlur = false;
+    bool enableSkipping = true; // work that cannot change the picture is left out
     bool enableOwenSampling = false; // random numbers that are spread evenly, rather than independent ones
 
     uint32_t numGlossySamples = 1; // rays a glossy reflection

@@ -20,6 +20,12 @@ void sampleParallelogramLight(
 [[nodiscard]] glm::vec3 visibilityOfLightSampleTransparency(RenderState& state, const glm::vec3& lightPosition,
     const glm::vec3& lightColor, const Ray& ray, const HitInfo& hitInfo);
 
+// Provided: whether the light may leave anything at all on the surface by the provided models of shading, if it gets
+// there. False, only where needs.lightFromBehind is, for a light below the surface, and where either is black.
+// lightDirection: as in computeShading.
+[[nodiscard]] bool canBeLit(
+    const RenderState& state, const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo);
+
 // Provided: lightColor with shadows off; one of the two above with shadows on.
 [[nodiscard]] glm::vec3 visibilityOfLightSample(RenderState& state, const glm::vec3& lightPosition,
     const glm::vec3& lightColor, const Ray& ray, const HitInfo& hitInfo);

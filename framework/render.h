@@ -2,6 +2,7 @@
 #include "common.h"
 #include "fwd.h"
 #include "sampler.h"
+#include "scene_needs.h"
 #include <framework/ray.h>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@ struct RenderState {
     const BVHInterface& bvh;
 
     Sampler sampler;
+    SceneNeeds needs {};
 };
 
 // Provided: renders all pixels, on all cores, with the same result for any number of threads.

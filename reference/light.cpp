@@ -48,9 +48,8 @@ bool visibilityOfLightSampleBinary(
 {
     if (!state.features.enableShadows)
         return true;
-    Ray toLight = shadowRay(lightPosition, ray, hitInfo);
-    HitInfo blocker;
-    return !state.bvh.intersect(state, toLight, blocker);
+    const Ray toLight = shadowRay(lightPosition, ray, hitInfo);
+    return !state.bvh.isOccluded(state, toLight);
 }
 
 // What a surface leaves of the light that goes through it. alpha is the surface's opacity.
@@ -75,6 +74,8 @@ glm::vec3 visibilityOfLightSampleTransparency(RenderState& state, const glm::vec
     const auto formula = state.features.extra.enableProposedShadowFormula ? lightBehindProposed : lightBehind;
     glm::vec3 light = lightColor;
     Ray remaining = shadowRay(lightPosition, ray, hitInfo);
+    if (!state.needs.shadowsInOrder) // whatever lies between is opaque
+        return remaining.t > 0.0f && state.bvh.isOccluded(state, remaining) ? glm::vec3(0.0f) : lightColor;
     while (remaining.t > 0.0f && light != glm::vec3(0.0f)) {
         Ray toSurface = remaining;
         HitInfo surface;
@@ -100,6 +101,8 @@ static glm::vec3 contributionOfSample(RenderState& state, const glm::vec3& light
         return glm::vec3(0.0f);
     const glm::vec3 lightDirection = toLight / distance;
     drawRay({ point, lightDirection, distance }, glm::vec3(1.0f, 0.0f, 0.0f));
+    if (!canBeLit(state, lightDirection, lightColor, hitInfo))
+        return glm::vec3(0.0f);
 
     const glm::vec3 visible = visibilityOfLightSample(state, lightPosition, lightColor, ray, hitInfo);
     if (visible == glm::vec3(0.0f))

@@ -10,11 +10,12 @@ namespace {
     using Node = BVHInterface::Node;
     using Primitive = BVHInterface::Primitive;
 
-    // What the builder needs of a triangle.
+    // What the builder needs of a triangle: no more, since there is one of each at once with what it builds.
     struct Reference {
         AxisAlignedBox bounds;
-        glm::vec3 centroid;
-        uint32_t index;
+        uint32_t index; // counted over all meshes
+
+        [[nodiscard]] glm::vec3 centroid() const { return 0.5f * bounds.lower + 0.5f * bounds.upper; }
     };
 
     struct Split {
@@ -39,25 +40,38 @@ namespace {
         }
     };
 
-    std::vector<Primitive> gatherTriangles(const Scene& scene)
-    {
-        std::vector<Primitive> triangles;
-        for (uint32_t meshID = 0; meshID < scene.meshes.size(); ++meshID) {
-            const Mesh& mesh = scene.meshes[meshID];
-            for (const glm::uvec3& t : mesh.triangles)
-                triangles.push_back({ meshID, mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z] });
+    // The triangles of all meshes, one after the other.
+    class Triangles {
+    public:
+        explicit Triangles(const Scene& scene)
+            : m_scene(scene)
+        {
+            for (const Mesh& mesh : scene.meshes)
+                m_ends.push_back((m_ends.empty() ? 0 : m_ends.back()) + static_cast<uint32_t>(mesh.triangles.size()));
         }
-        return triangles;
-    }
 
-    std::vector<Reference> makeReferences(std::span<const Primitive> triangles)
+        [[nodiscard]] uint32_t size() const { return m_ends.empty() ? 0 : m_ends.back(); }
+
+        [[nodiscard]] Primitive operator[](uint32_t index) const
+        {
+            const auto end = std::ranges::upper_bound(m_ends, index);
+            const auto meshID = static_cast<uint32_t>(end - m_ends.begin());
+            const Mesh& mesh = m_scene.meshes[meshID];
+            const glm::uvec3& t = mesh.triangles[index + mesh.triangles.size() - *end];
+            return { meshID, mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z] };
+        }
+
+    private:
+        const Scene& m_scene;
+        std::vector<uint32_t> m_ends; // of each mesh's
+    };
+
+    std::vector<Reference> makeReferences(const Triangles& triangles)
     {
         std::vector<Reference> references;
         references.reserve(triangles.size());
-        for (uint32_t i = 0; i < triangles.size(); ++i) {
-            const AxisAlignedBox bounds = boundsOf(triangles[i]);
-            references.push_back({ bounds, 0.5f * bounds.lower + 0.5f * bounds.upper, i });
-        }
+        for (uint32_t i = 0; i < triangles.size(); ++i)
+            references.push_back({ boundsOf(triangles[i]), i });
         return references;
     }
 
@@ -75,7 +89,7 @@ namespace {
 
         std::array<Bin, numBins> bins;
         for (const Reference& r : references) {
-            const auto bin = static_cast<int>((r.centroid[axis] - lower) / extent * static_cast<float>(numBins));
+            const auto bin = static_cast<int>((r.centroid()[axis] - lower) / extent * static_cast<float>(numBins));
             bins[static_cast<std::size_t>(std::min(bin, numBins - 1))].add({ r.bounds, 1 });
         }
 
@@ -131,7 +145,7 @@ namespace {
             AxisAlignedBox centroids = emptyBox();
             for (const Reference& r : references) {
                 bounds = unite(bounds, r.bounds);
-                centroids = unite(centroids, r.centroid);
+                centroids = unite(centroids, r.centroid());
             }
             m_tree.nodes[node].aabb = bounds;
 
@@ -156,7 +170,7 @@ namespace {
             const float leafCost = halfArea(bounds) * (static_cast<float>(count) - traversalCost);
             if (count <= m_leafSize && !(split.cost < leafCost))
                 return 0;
-            const auto isBelow = [&](const Reference& r) { return r.centroid[split.axis] < split.position; };
+            const auto isBelow = [&](const Reference& r) { return r.centroid()[split.axis] < split.position; };
             const auto middle
                 = split.axis < 0 ? references.begin() : std::partition(references.begin(), references.end(), isBelow);
             const auto below = static_cast<uint32_t>(middle - references.begin());
@@ -181,7 +195,7 @@ namespace {
 
 Tree buildTree(const Scene& scene, uint32_t leafSize)
 {
-    const std::vector<Primitive> triangles = gatherTriangles(scene);
+    const Triangles triangles { scene };
     std::vector<Reference> references = makeReferences(triangles);
 
     Tree tree;

@@ -15,6 +15,15 @@ public:
         return wrapped().intersect(state, ray, hitInfo);
     }
 
+    bool isOccluded(RenderState& state, const Ray& ray) const override
+    {
+        ++counter().rays.shadow;
+        return wrapped().isOccluded(state, ray);
+    }
+
+    // Somebody has left out a ray to a light that the surface could not show.
+    static void addUnlit() { ++counter().rays.unlit; }
+
     // Of all threads, since the process began. Only while nobody traces.
     [[nodiscard]] static RayCounts rayCounts();
     // Since this thread began.

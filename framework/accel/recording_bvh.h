@@ -7,7 +7,10 @@ namespace accel {
 // What one thread asked of a tree.
 struct RecordedRays {
     std::vector<Ray> rays; // each as it was before it met something
-    uint64_t numHits = 0; // of them
+    std::vector<Ray> shadowRays; // of which nobody asks what they meet
+    uint64_t numHits = 0; // of both
+
+    [[nodiscard]] std::size_t numRays() const { return rays.size() + shadowRays.size(); }
 };
 
 // A tree that keeps all rays that anybody sends into it, in their order. For one thread.
@@ -23,6 +26,14 @@ public:
     {
         m_recorded.rays.push_back(ray);
         const bool isHit = wrapped().intersect(state, ray, hitInfo);
+        m_recorded.numHits += isHit;
+        return isHit;
+    }
+
+    bool isOccluded(RenderState& state, const Ray& ray) const override
+    {
+        m_recorded.shadowRays.push_back(ray);
+        const bool isHit = wrapped().isOccluded(state, ray);
         m_recorded.numHits += isHit;
         return isHit;
     }

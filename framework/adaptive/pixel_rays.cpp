@@ -2,6 +2,7 @@
 #include "recursive.h"
 #include "render.h"
 #include "values/even_numbers.h"
+#include "values/needs_of.h"
 
 namespace adaptive {
 namespace {
@@ -21,6 +22,7 @@ PixelRays::PixelRays(const Scene& scene, const BVHInterface& bvh, const Features
     : m_scene(scene)
     , m_bvh(bvh)
     , m_features(oneSampleEach(features))
+    , m_needs(values::needsOf(scene, m_features))
     , m_camera(camera)
     , m_size(size)
     , m_seed((seed + 1) * 0x9e3779b9u) // others than renderImage's: either can judge the other
@@ -42,7 +44,7 @@ glm::dvec3 PixelRays::mean(std::size_t pixel, uint32_t firstRay, uint32_t numRay
 glm::dvec3 PixelRays::meanOfFew(const Features& features, std::size_t pixel, uint32_t firstRay) const
 {
     values::EvenNumbers even(m_seed + static_cast<uint32_t>(pixel), values::EvenNumbers::Method::Owen, firstRay);
-    RenderState state { m_scene, features, m_bvh, Sampler(even) };
+    RenderState state { m_scene, features, m_bvh, Sampler(even), m_needs };
     const auto width = static_cast<std::size_t>(m_size.x);
     const glm::ivec2 place(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
     return glm::dvec3(renderRays(state, generatePixelRays(state, m_camera, place, m_size)));

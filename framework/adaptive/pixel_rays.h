@@ -1,6 +1,7 @@
 #pragma once
 #include "common.h"
 #include "fwd.h"
+#include "scene_needs.h"
 #include <framework/trackball.h>
 
 namespace adaptive {
@@ -25,6 +26,7 @@ private:
     const Scene& m_scene;
     const BVHInterface& m_bvh;
     const Features m_features;
+    const SceneNeeds m_needs;
     const Trackball& m_camera;
     glm::ivec2 m_size;
     uint32_t m_seed;

@@ -1,4 +1,5 @@
 // ./raywork render: renders a scene with a submission's code, in a process of its own.
+#include "app/explain.h"
 #include "app/number_pairs.h"
 #include "app/render_goal.h"
 #include "app/renderer.h"
@@ -27,6 +28,7 @@ struct Options {
     uint32_t samples = 0;
     bool stratified = false;
     uint32_t threads = 0;
+    bool explain = false;
     std::vector<std::string> settings;
 };
 
@@ -40,6 +42,8 @@ void declare(CLI::App& cli, Options& options)
     cli.add_option("--samples", options.samples, "Rays a pixel [what the scene says]")->check(CLI::PositiveNumber);
     cli.add_flag("--stratified", options.stratified, "One ray in each cell of the pixel, rather than anywhere");
     cli.add_option("--threads", options.threads, "Threads [one a core]")->check(CLI::PositiveNumber);
+    cli.add_flag("--explain", options.explain,
+        "Tell what the picture needs, what is left out and why, and count what is done; no picture is written");
     cli.add_option("--set", options.settings, "feature=value, such as shadows=false or shading_model=phong; repeatable")
         ->take_all();
     cli.add_option("--orbit", options.orbit,
@@ -135,6 +139,9 @@ void followRay(const Options& options, const fs::path& output)
 
 void renderOrFollow(const Options& options)
 {
+    if (options.explain)
+        return app::explain(
+            app::Renderer(options.with).ask<worker::Explanation>("render.explain", makeRequest(options)));
     const fs::path output = options.output.empty() ? fs::path(options.scene).stem().string() + ".png" : options.output;
     if (!options.error.empty() || !options.time.empty())
         renderToGoal(options, output);

@@ -1,6 +1,7 @@
 #include "app/renderer.h"
 #include "submission/named_folder.h"
 #include "submission/submission.h"
+#include "values/resident_memory.h"
 #include <fmt/core.h>
 
 namespace app {
@@ -21,6 +22,7 @@ namespace {
         worker::Limits limits;
         limits.captureOutput = false;
         limits.answerBytes = std::size_t(16) << 30; // a picture of 32768 x 32768 pixels has 12 GiB
+        limits.memoryBytes = values::availableMemory(); // beyond it, asking for more fails, which can be told
         limits.readable = { "/" };
         return limits;
     }

@@ -6,6 +6,7 @@
 #include "bench/grade.h"
 #include "bench/kernels.h"
 #include "bench/render.h"
+#include "bench/skip.h"
 #include "bench/traversal.h"
 #include "bench/watertight.h"
 #include <algorithm>
@@ -15,7 +16,8 @@ int main(int argc, char** argv)
     CLI::App cli { "Measures how fast the library is, and a grading.", "./raywork bench" };
     cli.require_subcommand(1);
     const bench::Command commands[] = { bench::declareTraversal(cli), bench::declareAccuracy(cli),
-        bench::declareWatertight(cli), bench::declareRender(cli), bench::declareError(cli), bench::declareAdaptive(cli),
+        bench::declareWatertight(cli), bench::declareRender(cli), bench::declareSkip(cli), bench::declareError(cli),
+        bench::declareAdaptive(cli),
         bench::declareKernels(cli), bench::declareGrade(cli) };
     return app::runCommand(cli, argc, argv, [&] {
         return std::ranges::find_if(commands, [](const bench::Command& command) {

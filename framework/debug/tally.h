@@ -21,6 +21,9 @@ public:
     // By intersectRayWithTriangle, and by the library's own traversal.
     [[nodiscard]] uint64_t numTriangles() const { return m_numTriangles; }
 
+    // Of textures, for the colour of a surface.
+    [[nodiscard]] uint64_t numLookups() const { return m_numLookups; }
+
     // Called by whoever does that: these do nothing where nobody counts.
     static void addNode()
     {
@@ -32,11 +35,17 @@ public:
         if (s_innermost)
             s_innermost->m_numTriangles += count;
     }
+    static void addLookup()
+    {
+        if (s_innermost)
+            ++s_innermost->m_numLookups;
+    }
     [[nodiscard]] static bool isOpen() { return s_innermost != nullptr; }
 
 private:
     uint64_t m_numNodes = 0;
     uint64_t m_numTriangles = 0;
+    uint64_t m_numLookups = 0;
     Tally* m_outer;
 
     static inline constinit thread_local Tally* s_innermost = nullptr;

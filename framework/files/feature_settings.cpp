@@ -39,6 +39,7 @@ namespace {
         { "glossy_reflection", &ExtraFeatures::enableGlossyReflection },
         { "mipmap_filtering", &ExtraFeatures::enableMipmapTextureFiltering },
         { "motion_blur", &ExtraFeatures::enableMotionBlur },
+        { "skipping", &ExtraFeatures::enableSkipping },
         { "owen_sampling", &ExtraFeatures::enableOwenSampling },
         { "glossy_samples", &ExtraFeatures::numGlossySamples },
         { "max_depth", &ExtraFeatures::maxDepth, { 0, 6 } },

@@ -98,14 +98,13 @@ void loadObj(const std::filesystem::path& path, Scene& scene)
 
 void loadObj(const std::filesystem::path& path, Scene& scene, Textures& textures)
 {
-    const std::string text = readText(path);
-    const ObjOutline outline = checkObjSyntax(path, text);
+    const ObjOutline outline = checkObjSyntax(path, readText(path));
     if (outline.numTriangles == 0)
         throw Error(path, "found no faces, expected at least one");
     const std::vector<MtlMaterial> materials = loadMaterials(path, outline);
     warnOfUnknownMaterials(path, outline, materials);
 
-    const ObjData data = parseObj(path, text, namesOf(materials));
+    const ObjData data = parseObj(path, namesOf(materials));
     const std::vector<Triangle> triangles = positionTriangles(data);
     checkTriangulation(path, outline, data.positions, triangles);
     for (auto& [index, mesh] : makeMeshes(data, computeSmoothNormals(data.positions, triangles))) {

@@ -3,8 +3,8 @@
 #include "files/text.h"
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <tiny_obj_loader.h>
 
 namespace files {
@@ -37,12 +37,12 @@ namespace {
     }
 
     // Where a number that we take for finite overflows within tinyobj, such as 0e999.
-    void checkFinite(const std::filesystem::path& path, std::string_view text, std::string_view keyword,
-        const std::vector<float>& numbers, std::size_t numbersPerLine)
+    void checkFinite(const std::filesystem::path& path, std::string_view keyword, const std::vector<float>& numbers,
+        std::size_t numbersPerLine)
     {
         for (std::size_t i = 0; i < numbers.size(); ++i)
             if (!std::isfinite(numbers[i]))
-                throw Error(path, lineOfNth(text, keyword, i / numbersPerLine),
+                throw Error(path, lineOfNth(readText(path), keyword, i / numbersPerLine),
                     "found a number out of range, expected a finite one");
     }
 
@@ -61,6 +61,7 @@ namespace {
             const tinyobj::index_t& index = mesh.indices[i];
             return ObjCorner { index.vertex_index, index.texcoord_index, index.normal_index };
         };
+        data.triangles.reserve(data.triangles.size() + mesh.indices.size() / 3);
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
             data.triangles.push_back({ corner(i), corner(i + 1), corner(i + 2) });
         std::ranges::copy(mesh.material_ids, std::back_inserter(data.materials));
@@ -68,26 +69,27 @@ namespace {
 
 }
 
-ObjData parseObj(
-    const std::filesystem::path& path, const std::string& text, const std::vector<std::string>& materialNames)
+ObjData parseObj(const std::filesystem::path& path, const std::vector<std::string>& materialNames)
 {
     tinyobj::attrib_t numbers;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> unused;
     std::string warning, error;
     MaterialNames names(materialNames);
-    std::istringstream stream(text);
+    std::ifstream stream = openToRead(path); // of a large file no copy is kept beside what is read
     constexpr bool triangulate = true, withColors = false;
     if (!tinyobj::LoadObj(&numbers, &shapes, &unused, &warning, &error, &stream, &names, triangulate, withColors))
         throw Error(path, error.substr(0, error.find('\n')));
-    checkFinite(path, text, "v", numbers.vertices, 3);
-    checkFinite(path, text, "vn", numbers.normals, 3);
-    checkFinite(path, text, "vt", numbers.texcoords, 2);
+    checkFinite(path, "v", numbers.vertices, 3);
+    checkFinite(path, "vn", numbers.normals, 3);
+    checkFinite(path, "vt", numbers.texcoords, 2);
 
     ObjData data { grouped<glm::vec3>(numbers.vertices), grouped<glm::vec3>(numbers.normals),
         grouped<glm::vec2>(numbers.texcoords), {}, {} };
-    for (const tinyobj::shape_t& shape : shapes)
+    for (tinyobj::shape_t& shape : shapes) {
         appendTriangles(shape.mesh, data);
+        shape = {}; // its memory is for the next
+    }
     return data;
 }
 

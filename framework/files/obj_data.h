@@ -24,8 +24,7 @@ struct ObjData {
     std::vector<int> materials; // one a triangle, an index into materialNames; -1: none
 };
 
-// The text has passed checkObjSyntax. Throws Error.
-[[nodiscard]] ObjData parseObj(
-    const std::filesystem::path& path, const std::string& text, const std::vector<std::string>& materialNames);
+// The file has passed checkObjSyntax. Throws Error.
+[[nodiscard]] ObjData parseObj(const std::filesystem::path& path, const std::vector<std::string>& materialNames);
 
 }

@@ -1,9 +1,12 @@
 #include "files/picture.h"
 #include "files/error.h"
+#include "files/texel_source.h"
 #include "files/text.h"
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
+#include <fstream>
 #include <stb_image.h>
 #include <string_view>
 
@@ -60,16 +63,50 @@ namespace {
             || (hasTgaExtension(path) && hasTgaHeader(bytes));
     }
 
-    void checkSize(const std::filesystem::path& path, std::string_view bytes)
+    // As much of a file as somebody asks for.
+    struct FileSource {
+        std::ifstream file;
+
+        static int read(void* user, char* data, int size)
+        {
+            auto& file = static_cast<FileSource*>(user)->file;
+            return static_cast<int>(file.read(data, size).gcount());
+        }
+
+        static void skip(void* user, int size) { static_cast<FileSource*>(user)->file.ignore(size); }
+        static int eof(void* user) { return !static_cast<FileSource*>(user)->file; }
+
+        static constexpr stbi_io_callbacks callbacks { read, skip, eof };
+    };
+
+    void checkFormat(const std::filesystem::path& path, std::string_view bytes)
     {
-        Source source { bytes };
-        int width = 0, height = 0, channels = 0;
-        if (!stbi_info_from_callbacks(&callbacks, &source, &width, &height, &channels))
-            throw Error(path, std::string("found a broken picture: ") + stbi_failure_reason());
-        if (width < 1 || height < 1 || width > maxSide || height > maxSide)
+        if (!hasKnownFormat(path, bytes))
+            throw Error(path, "found an unknown format, expected a PNG, JPEG, BMP or TGA picture");
+    }
+
+    void checkSize(const std::filesystem::path& path, glm::ivec2 size)
+    {
+        if (size.x < 1 || size.y < 1 || size.x > maxSide || size.y > maxSide)
             throw Error(path,
-                "found " + std::to_string(width) + "x" + std::to_string(height) + " texels, expected 1 to "
+                "found " + std::to_string(size.x) + "x" + std::to_string(size.y) + " texels, expected 1 to "
                     + std::to_string(maxSide) + " each way");
+    }
+
+    glm::ivec2 readSize(const std::filesystem::path& path)
+    {
+        FileSource source { openToRead(path) };
+        std::array<char, 16> start {};
+        const auto length = static_cast<std::size_t>(source.file.read(start.data(), start.size()).gcount());
+        checkFormat(path, { start.data(), length });
+        source.file.clear();
+        source.file.seekg(0);
+        glm::ivec2 size { 0 };
+        int channels = 0;
+        if (!stbi_info_from_callbacks(&FileSource::callbacks, &source, &size.x, &size.y, &channels))
+            throw Error(path, std::string("found a broken picture: ") + stbi_failure_reason());
+        checkSize(path, size);
+        return size;
     }
 
     using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
@@ -87,22 +124,37 @@ namespace {
         return texels;
     }
 
+    // The bottom row first, as readSize said it is.
+    std::vector<uint8_t> readTexels(const std::filesystem::path& path, glm::ivec2 size)
+    {
+        const std::string bytes = readText(path);
+        checkFormat(path, bytes);
+        glm::ivec2 found { 0 };
+        const Decoded texels = decode(path, bytes, found.x, found.y);
+        if (found != size)
+            throw Error(path, "found a picture of another size than before");
+        const auto rowSize = static_cast<std::size_t>(size.x) * numChannels;
+        const auto numRows = static_cast<std::size_t>(size.y);
+        std::vector<uint8_t> result(numRows * rowSize);
+        for (std::size_t y = 0; y < numRows; ++y) // stb has the top row first
+            std::memcpy(&result[(numRows - 1 - y) * rowSize], texels.get() + y * rowSize, rowSize);
+        return result;
+    }
+
+}
+
+std::shared_ptr<const Image> openPicture(const std::filesystem::path& path)
+{
+    const glm::ivec2 size = readSize(path);
+    auto source = std::make_shared<files::TexelSource>();
+    source->read = [path, size] { return readTexels(path, size); };
+    return std::make_shared<Image>(size.x, size.y, numChannels, std::move(source));
 }
 
 std::shared_ptr<const Image> loadPicture(const std::filesystem::path& path)
 {
-    const std::string bytes = readText(path);
-    if (!hasKnownFormat(path, bytes))
-        throw Error(path, "found an unknown format, expected a PNG, JPEG, BMP or TGA picture");
-    checkSize(path, bytes);
-
-    int width = 0, height = 0;
-    const Decoded texels = decode(path, bytes, width, height);
-    auto image = std::make_shared<Image>(width, height, numChannels);
-    const auto rowSize = static_cast<std::size_t>(width) * numChannels;
-    for (int y = 0; y < height; ++y) // stb has the top row first
-        std::memcpy(image->get_data() + static_cast<std::size_t>(height - 1 - y) * rowSize,
-            texels.get() + static_cast<std::size_t>(y) * rowSize, rowSize);
+    auto image = openPicture(path);
+    (void)image->get_data();
     return image;
 }
 

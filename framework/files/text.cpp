@@ -17,7 +17,7 @@ namespace {
 
 }
 
-std::string readText(const std::filesystem::path& path)
+std::ifstream openToRead(const std::filesystem::path& path)
 {
     // A folder opens like a file and reads as an empty one.
     if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
@@ -25,6 +25,12 @@ std::string readText(const std::filesystem::path& path)
     std::ifstream stream(path, std::ios::binary);
     if (!stream)
         throw Error(path, "cannot be read, expected an existing file");
+    return stream;
+}
+
+std::string readText(const std::filesystem::path& path)
+{
+    std::ifstream stream = openToRead(path);
     return { std::istreambuf_iterator<char>(stream), {} };
 }
 

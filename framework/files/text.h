@@ -1,11 +1,15 @@
 #pragma once
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace files {
+
+// A file that is there and is no folder. Throws Error.
+[[nodiscard]] std::ifstream openToRead(const std::filesystem::path& path);
 
 // The whole file. Throws Error.
 [[nodiscard]] std::string readText(const std::filesystem::path& path);

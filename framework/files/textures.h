@@ -5,7 +5,7 @@
 
 namespace files {
 
-// Loads pictures into a scene, each file once however often it is named.
+// Opens pictures for a scene, each file once however often it is named; their texels are read when they are looked at.
 class Textures {
 public:
     explicit Textures(Scene& scene)

@@ -1,26 +1,50 @@
 #pragma once
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
+#include <utility>
 #include <vector>
 
-// The texels of an image as bytes; indexing reads one as a colour in [0, 1], as the 2023-24 edition does.
+namespace files {
+struct TexelSource;
+}
+
+// The texels of an image as bytes; indexing reads one as a colour in [0, 1], as the 2023-24 edition does. They may come
+// from a source, which is asked when somebody first looks at them, from whatever thread; a copy has looked.
 class Texels {
 public:
     Texels() = default;
     Texels(std::size_t count, int channels);
+    Texels(std::size_t count, int channels, std::shared_ptr<files::TexelSource> source);
+    Texels(const Texels& other);
+    Texels(Texels&& other) noexcept;
+    Texels& operator=(Texels other) noexcept;
 
-    [[nodiscard]] std::size_t size() const { return m_bytes.size() / static_cast<std::size_t>(m_channels); }
+    [[nodiscard]] std::size_t size() const { return m_count; }
     [[nodiscard]] glm::vec3 operator[](std::size_t index) const;
-    [[nodiscard]] uint8_t* data() { return m_bytes.data(); }
-    [[nodiscard]] const uint8_t* data() const { return m_bytes.data(); }
+    [[nodiscard]] uint8_t* data() { return const_cast<uint8_t*>(std::as_const(*this).data()); }
+    [[nodiscard]] const uint8_t* data() const
+    {
+        const uint8_t* const bytes = m_data.load(std::memory_order_acquire);
+        return bytes ? bytes : fetch();
+    }
+
+    // Whether they are there already.
+    [[nodiscard]] bool areFetched() const { return m_data.load(std::memory_order_acquire) != nullptr; }
 
 private:
+    const uint8_t* fetch() const;
+
+    std::size_t m_count = 0;
     int m_channels = 3;
-    std::vector<uint8_t> m_bytes;
+    std::shared_ptr<files::TexelSource> m_source; // null if there never was one
+    mutable std::vector<uint8_t> m_bytes;
+    mutable std::atomic<const uint8_t*> m_data = nullptr; // the bytes, once they are there
 };
 
 // An 8-bit picture. Texel (i, j) has index j * width + i; row 0 is the row that v = 0 addresses.
@@ -30,6 +54,7 @@ struct Image {
 
     Image() = default;
     Image(int width, int height, int channels = 3);
+    Image(int width, int height, int channels, std::shared_ptr<files::TexelSource> source);
 
     // Colour of a texel, each channel in [0, 1]; channels that the image lacks repeat its last one.
     template <int N = 3> [[nodiscard]] glm::vec<N, float> get_pixel(int index) const

@@ -1,4 +1,7 @@
+#include "provided/models.h"
 #include "shading.h"
+
+const char provided::shadingMark = 0;
 
 namespace {
 

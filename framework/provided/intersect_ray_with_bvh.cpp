@@ -49,8 +49,11 @@ const BVHInterface::Primitive* findInWideTree(
 
 // In the library's own tree if there is one; in the one that everybody sees otherwise, and if somebody counts its
 // nodes. The hit's weights have the sum 1.
-const BVHInterface::Primitive* findTriangle(const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+const BVHInterface::Primitive* findTriangle(
+    const RenderState& state, const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
 {
+    if (!state.needs.triangles)
+        return nullptr;
     const accel::WideTree* tree = bvh.wideTree();
     return tree && !debug::Tally::isOpen() ? findInWideTree(*tree, bvh, ray, hit) : findInBinaryTree(bvh, ray, hit);
 }
@@ -60,7 +63,7 @@ const BVHInterface::Primitive* findTriangle(const BVHInterface& bvh, Ray& ray, a
 bool intersectRayWithBVH(RenderState& state, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
 {
     accel::TriangleHit hit;
-    const BVHInterface::Primitive* primitive = findTriangle(bvh, ray, hit);
+    const BVHInterface::Primitive* primitive = findTriangle(state, bvh, ray, hit);
     if (primitive)
         fillHit(state, *primitive, hit, ray, hitInfo);
     bool hitSphere = false;

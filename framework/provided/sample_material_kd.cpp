@@ -1,4 +1,5 @@
 #include "debug/recording.h"
+#include "debug/tally.h"
 #include "shading.h"
 #include "texture.h"
 
@@ -7,6 +8,7 @@ glm::vec3 sampleMaterialKd(RenderState& state, const HitInfo& hitInfo)
     const Image* texture = hitInfo.material.kdTexture;
     if (!state.features.enableTextureMapping || !texture)
         return hitInfo.material.kd;
+    debug::Tally::addLookup();
     if (debug::Recording::isOpen()) [[unlikely]]
         debug::Recording::addLookup(*texture, hitInfo.texCoord);
     return state.features.enableBilinearTextureFiltering ? sampleTextureBilinear(*texture, hitInfo.texCoord)

@@ -37,7 +37,7 @@ Program link(const std::vector<Object>& objects, const std::string& rest)
 {
     const values::Stopwatch watch;
     Digest digest;
-    digest.add(Toolchain::get().digest).add("link").add(rest);
+    digest.add(Toolchain::get().digest).add("link").add(rest).add(Toolchain::get().digestOfRest(rest));
     for (const Object& object : objects)
         digest.add(object.key);
     Program program { digest.hex(), {}, "" };

@@ -3,6 +3,7 @@
 #include "sandbox/bubblewrap.h"
 #include "submission/digest.h"
 #include "submission/paths.h"
+#include <algorithm>
 #include <toml++/toml.h>
 
 namespace submission {
@@ -81,6 +82,16 @@ const Toolchain& Toolchain::get()
 std::vector<std::string> Toolchain::restOf(const std::string& rest) const
 {
     return words("rest_" + rest);
+}
+
+std::string Toolchain::digestOfRest(const std::string& rest) const
+{
+    const std::vector<std::string> known = words("built");
+    Digest rests;
+    for (const std::string& file : restOf(rest))
+        if (file.starts_with(buildDirectory) && std::ranges::find(known, file) == known.end())
+            rests.addFile(file);
+    return rests.hex();
 }
 
 }

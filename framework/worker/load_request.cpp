@@ -1,5 +1,6 @@
 #include "worker/load_request.h"
 #include "files/feature_settings.h"
+#include <malloc.h>
 #include <stdexcept>
 
 namespace worker {
@@ -16,6 +17,7 @@ static void apply(const std::string& setting, Features& features)
 files::SceneFile load(const RenderRequest& request)
 {
     files::SceneFile file = files::loadSceneFile(request.scene);
+    malloc_trim(0); // what a large file took while it was read is for the tree
     for (const std::string& setting : request.settings)
         apply(setting, file.config.features);
     if (request.size != glm::ivec2(0))

@@ -6,11 +6,19 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 
 namespace {
 
 constexpr auto never = worker::Clock::time_point::max();
 constexpr std::size_t unlimited = static_cast<std::size_t>(-1); // the parent is trusted
+
+worker::Frame failure(const worker::Frame& request, const std::string& what)
+{
+    worker::Message message;
+    message << what;
+    return { request.nonce, worker::Frame::Kind::Failure, std::move(message) };
+}
 
 worker::Frame answer(const worker::Frame& request, const std::function<void(float)>& progress)
 {
@@ -28,10 +36,10 @@ worker::Frame answer(const worker::Frame& request, const std::function<void(floa
         whole << values::takeUnwritten();
         whole.append(output.bytes().data(), output.bytes().size());
         return { request.nonce, Kind::Answer, std::move(whole) };
+    } catch (const std::bad_alloc&) {
+        return failure(request, "found too little memory for this, expected a smaller scene or picture");
     } catch (const std::exception& error) {
-        worker::Message message;
-        message << std::string(error.what());
-        return { request.nonce, Kind::Failure, std::move(message) };
+        return failure(request, error.what());
     }
 }
 

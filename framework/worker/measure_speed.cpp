@@ -1,32 +1,14 @@
 #include "worker/measure_speed.h"
 #include "accel/recording_bvh.h"
-#include "accel/wide/tree_on_demand.h"
-#include "bvh.h"
-#include "render.h"
 #include "screen.h"
+#include "values/needs_of.h"
+#include "worker/library_bvh.h"
 #include <chrono>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
 namespace worker {
 namespace {
-
-    // The library traverses, whatever the submission would do.
-    class LibraryBVH : public BVH {
-    public:
-        using BVH::BVH;
-
-        bool intersect(RenderState& state, Ray& ray, HitInfo& hitInfo) const override
-        {
-            return intersectRayWithBVH(state, *this, ray, hitInfo);
-        }
-
-        // Its own, since a submission that builds the binary tree itself has none.
-        [[nodiscard]] const accel::WideTree* wideTree() const override { return m_tree.get(primitives()); }
-
-    private:
-        mutable accel::TreeOnDemand m_tree;
-    };
 
     // Whoever answers rays, over and over.
     struct Contestant {
@@ -45,8 +27,10 @@ namespace {
             m_speed.numTriangles = std::as_const(m_bvh).primitives().size();
             m_recorded = record(m_library);
             addFrame(m_speed.frame, m_library, m_recorded);
-            addRays(m_speed.traversal,
-                [tree = m_library.wideTree()](const Ray& ray) { return tree->closest(ray).has_value(); });
+            addRays(
+                m_speed.traversal,
+                [tree = m_library.wideTree()](const Ray& ray) { return tree->closest(ray).has_value(); },
+                [tree = m_library.wideTree()](const Ray& ray) { return tree->occluded(ray); });
             addHits(m_speed.hits, m_library);
             addHits(m_speed.theirHits, m_bvh);
             addFrame(m_speed.theirFrame, m_bvh, record(m_bvh));
@@ -83,29 +67,36 @@ namespace {
 
         void addFrame(Timing& timing, const BVHInterface& bvh, const accel::RecordedRays& recorded)
         {
-            timing.numRays = recorded.rays.size();
+            timing.numRays = recorded.numRays();
             timing.numHits = recorded.numHits;
             m_contestants.push_back({ timing, [this, &bvh] { renderWith(bvh); } });
         }
 
-        // trace: whether the ray meets something.
-        template <typename Trace> void addRays(Timing& timing, Trace trace)
+        // Whether the ray meets something, of which more may be asked, and of a shadow ray no more.
+        template <typename Trace, typename TraceShadow>
+        void addRays(Timing& timing, Trace trace, TraceShadow traceShadow)
         {
-            timing.numRays = m_recorded.rays.size();
-            m_contestants.push_back({ timing, [this, &timing, trace]() mutable {
+            timing.numRays = m_recorded.numRays();
+            m_contestants.push_back({ timing, [this, &timing, trace, traceShadow]() mutable {
                                          timing.numHits = 0;
                                          for (const Ray& ray : m_recorded.rays)
                                              timing.numHits += trace(ray);
+                                         for (const Ray& ray : m_recorded.shadowRays)
+                                             timing.numHits += traceShadow(ray);
                                      } });
         }
 
         void addHits(Timing& timing, const BVHInterface& bvh)
         {
-            const RenderState start { m_scene, m_config.features, bvh, Sampler(1) };
-            addRays(timing, [state = start](Ray ray) mutable {
-                HitInfo hitInfo;
-                return state.bvh.intersect(state, ray, hitInfo);
-            });
+            const RenderState start { m_scene, m_config.features, bvh, Sampler(1),
+                values::needsOf(m_scene, m_config.features) };
+            addRays(
+                timing,
+                [state = start](Ray ray) mutable {
+                    HitInfo hitInfo;
+                    return state.bvh.intersect(state, ray, hitInfo);
+                },
+                [state = start](const Ray& ray) mutable { return state.bvh.isOccluded(state, ray); });
         }
 
         void addThreadedFrames()

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sys/wait.h>
 
@@ -222,4 +223,31 @@ TEST_CASE("The texels of a lookup are told with their weights", "[render]")
         sum += texel.at("weight").get<double>();
     CHECK(sum == Approx(1.0).margin(1e-4)); // what is below that is left out
     CHECK(lookups.at(0).at("texels").size() == 4);
+}
+
+TEST_CASE("What is skipped changes no pixel, whoever wrote the code", "[render]")
+{
+    const std::string folder(submission::sourceDirectory);
+    const std::string with = GENERATE_COPY(values<std::string>(
+        { "student", "'" + folder + "/tests/grading/course'", "'" + folder + "/tests/grading/course_2023'" }));
+    const std::string scene = GENERATE(values<std::string>({ "cornell_box", "transparent_shadows", "soft_shadows" }));
+    const auto pictureWith = [&](const std::string& skipping) {
+        const std::string output = (work / (skipping + ".exr")).string();
+        const Outcome outcome = render(scenes + scene + ".toml --size 24x18 --with " + with + " -o '" + output
+            + "' --set reflections=true --set transparency=true --set skipping=" + skipping);
+        REQUIRE(outcome.exitCode == 0);
+        // The file says when it was made.
+        return std::regex_replace(bytesOf(output), std::regex(R"(\d{4}:\d\d:\d\d \d\d:\d\d:\d\d)"), "");
+    };
+    CHECK(pictureWith("true") == pictureWith("false"));
+}
+
+TEST_CASE("What a picture needs is explained, with why the rest is left out", "[render]")
+{
+    const Outcome outcome = render(scenes + "cornell_box.toml --size 24x18 --explain --set transparency=true");
+    CHECK(outcome.exitCode == 0);
+    for (const std::string line : { "triangles  *yes", "spheres  *no: the scene has none",
+             "mirrors  *no: every material", "transparency  *no: every material is opaque", "light from behind  *no: ",
+             "rays from the camera  *432", "rays to lights, left out  *[1-9]", "textures decoded  *0 of 0" })
+        CHECK(std::regex_search(outcome.output, std::regex(line)));
 }

@@ -55,7 +55,7 @@ check_every_feature_has_its_files() {
     local feature file
     for feature; do
         for file in framework/"$feature".h {framework/unwritten,student,reference,grading/probes,grading/checks}/"$feature".cpp \
-            tests/features/"$feature"_test.cpp; do
+            report/figures/"$feature".cpp tests/features/"$feature"_test.cpp; do
             [[ -e $file ]] || complain "CMakeLists.txt:$(grep -n 'set(FEATURES' CMakeLists.txt | cut -d: -f1): no $file for the feature $feature"
         done
     done

@@ -94,16 +94,18 @@ TEST_CASE("All rays are recorded, and those that met something are counted", "[s
 {
     const files::SceneFile file = busyScene();
     const accel::RecordedRays recorded = record(file);
-    CHECK(recorded.rays.size() == countRays(file));
+    CHECK(recorded.numRays() == countRays(file));
     World world(file.scene, file.config.features);
     uint64_t numHits = 0;
-    for (Ray ray : recorded.rays) {
-        HitInfo hitInfo;
-        numHits += world.bvh.intersect(world.state, ray, hitInfo);
+    for (const std::vector<Ray>& rays : { recorded.rays, recorded.shadowRays }) {
+        for (Ray ray : rays) {
+            HitInfo hitInfo;
+            numHits += world.bvh.intersect(world.state, ray, hitInfo);
+        }
     }
     CHECK(recorded.numHits == numHits);
     CHECK(numHits > 24 * 16); // the camera looks into the box
-    CHECK(numHits < recorded.rays.size());
+    CHECK(numHits < recorded.numRays());
 }
 
 TEST_CASE("Everybody is measured with all rays of the frame, as often as asked", "[speed]")

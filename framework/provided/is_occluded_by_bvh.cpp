@@ -1,0 +1,29 @@
+#include "accel/traversal.h"
+#include "accel/wide/tree.h"
+#include "bvh.h"
+#include "intersect.h"
+#include "scene.h"
+
+static bool isOccludedByTriangle(const BVHInterface& bvh, const Ray& ray)
+{
+    if (const accel::WideTree* tree = bvh.wideTree())
+        return tree->occluded(ray);
+    Ray shortened = ray;
+    accel::TriangleHit unused;
+    return accel::findClosest(bvh, shortened, unused);
+}
+
+static bool isOccludedBySphere(const Scene& scene, const Ray& ray)
+{
+    return std::ranges::any_of(scene.spheres, [&](const Sphere& sphere) {
+        Ray shortened = ray;
+        HitInfo unused;
+        return intersectRayWithShape(sphere, shortened, unused);
+    });
+}
+
+bool isOccludedByBVH(RenderState& state, const BVHInterface& bvh, const Ray& ray)
+{
+    return (state.needs.triangles && isOccludedByTriangle(bvh, ray))
+        || (state.needs.spheres && isOccludedBySphere(state.scene, ray));
+}

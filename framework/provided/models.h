@@ -1,0 +1,14 @@
+#pragma once
+
+// Which models of shading are the provided ones: the linker leaves the others out, with their marks, where a submission
+// has its own. Of those the address is null.
+namespace provided {
+
+[[gnu::weak]] extern const char shadingMark, lambertianMark, phongMark, blinnPhongMark;
+
+[[nodiscard]] inline bool hasOwnModels()
+{
+    return !(&shadingMark && &lambertianMark && &phongMark && &blinnPhongMark);
+}
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+#include "common.h"
+
+// What the reference and the provided models compute, for the compiler to put where it is used.
+namespace worker {
+
+// How far a ray starts from the surface that it leaves.
+[[nodiscard]] inline float offsetAt(const glm::vec3& point)
+{
+    const glm::vec3 size = glm::abs(point);
+    return 1e-4f * std::max({ 1.0f, size.x, size.y, size.z });
+}
+
+// What a surface of this opacity leaves of the light that goes through it.
+[[nodiscard]] inline glm::vec3 lightBehind(
+    const glm::vec3& light, const glm::vec3& kd, float alpha, const Features& features)
+{
+    const float t = 1.0f - alpha;
+    if (!features.extra.enableProposedShadowFormula)
+        return light * kd * t;
+    return alpha == 1.0f ? glm::vec3(0.0f) : light * kd * (1.0f - t) + light * t;
+}
+
+[[nodiscard]] inline float phongLobe(
+    const Material& material, const glm::vec3& normal, const glm::vec3& toLight, const glm::vec3& toCamera)
+{
+    const glm::vec3 mirrored = 2.0f * glm::dot(normal, toLight) * normal - toLight;
+    return std::pow(std::max(glm::dot(mirrored, toCamera), 0.0f), material.shininess);
+}
+
+[[nodiscard]] inline float blinnLobe(
+    const Material& material, const glm::vec3& normal, const glm::vec3& toLight, const glm::vec3& toCamera)
+{
+    const glm::vec3 sum = toLight + toCamera;
+    const float length = glm::length(sum); // 0 where the camera looks from opposite the light
+    const float cosine = length > 0.0f ? std::max(glm::dot(normal, sum) / length, 0.0f) : 0.0f;
+    return std::pow(cosine, material.shininess);
+}
+
+}

@@ -1,0 +1,29 @@
+#include "report/figure.h"
+
+namespace report {
+namespace {
+
+    std::vector<Figure>& registry()
+    {
+        static std::vector<Figure> figures; // first use is before main
+        return figures;
+    }
+
+}
+
+Figure::Figure(std::string name_, std::string title_, Draw draw_, std::vector<std::string> results_)
+    : name(std::move(name_))
+    , section(name.substr(0, name.find('.')))
+    , title(std::move(title_))
+    , draw(draw_)
+    , results(std::move(results_))
+{
+    registry().push_back(*this);
+}
+
+const std::vector<Figure>& Figure::all()
+{
+    return registry();
+}
+
+}

@@ -1,0 +1,43 @@
+#include "report/made.h"
+#include "files/text.h"
+#include <array>
+#include <catch2/catch.hpp>
+
+namespace report_test {
+
+namespace fs = std::filesystem;
+
+fs::path madeReport(const std::string& submission)
+{
+    return fs::path(RAYWORK_REPORTS) / submission / "report";
+}
+
+nlohmann::json figure(const std::string& name, const std::string& submission)
+{
+    return nlohmann::json::parse(files::readText(madeReport(submission) / "figures" / (name + ".json")));
+}
+
+std::vector<nlohmann::json> figures(const std::string& submission)
+{
+    std::vector<nlohmann::json> all;
+    for (const fs::directory_entry& entry : fs::directory_iterator(madeReport(submission) / "figures"))
+        if (entry.path().extension() == ".json")
+            all.push_back(nlohmann::json::parse(files::readText(entry.path())));
+    return all;
+}
+
+std::string run(const std::string& command)
+{
+    INFO(command);
+    FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string printed;
+    std::array<char, 4096> buffer {};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
+        printed.append(buffer.data(), count);
+    INFO(printed);
+    REQUIRE(pclose(pipe) == 0);
+    return printed;
+}
+
+}
