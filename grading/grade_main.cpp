@@ -6,12 +6,15 @@
 #include "grading/live_reference.h"
 #include "grading/options.h"
 #include "grading/report.h"
+#include "grading/stress_rows.h"
 #include "grading/supervisor.h"
 #include "grading/watch.h"
 #include "sandbox/bubblewrap.h"
 #include "submission/cache.h"
 #include "submission/paths.h"
+#include <algorithm>
 #include <fmt/core.h>
+#include <iterator>
 #include <unistd.h>
 #include <utility>
 
@@ -62,6 +65,12 @@ grading::Assignment assignmentOf(const Options& options)
     return assignment;
 }
 
+// Its rows belong to no feature.
+bool wantsStress(const Options& options)
+{
+    return options.stressPoints && options.onlyFeature.empty();
+}
+
 void gradeOnce(const Options& options)
 {
     grading::GrowingGrade growing { options.submission, options.outputs };
@@ -70,7 +79,11 @@ void gradeOnce(const Options& options)
         showProgress(row.name);
         growing.add(row);
     };
-    grading::Outcome outcome = grading::grade(assignmentOf(options), onRow);
+    const grading::Assignment assignment = assignmentOf(options);
+    grading::Outcome outcome = grading::grade(assignment, onRow);
+    if (wantsStress(options))
+        std::ranges::move(
+            grading::stressRows(assignment, *options.stressPoints, onRow), std::back_inserter(outcome.rows));
     const grading::Grade grade = growing.complete(std::move(outcome.rows), std::move(outcome.observations));
     showProgress("");
     grading::writeOutputs(options.outputs, grade);
@@ -100,7 +113,8 @@ void record(const Options& options)
 ExitCode run(const Options& options)
 {
     chooseSandbox(options.sandbox);
-    grading::expectPatternsMatch(options.outputs.hidden);
+    grading::expectPatternsMatch(
+        options.outputs.hidden, wantsStress(options) ? grading::namesOfStressRows() : std::vector<std::string>());
     if (options.validation.wanted())
         return grading::runValidation(options.validation, expectedAnswers(options), showProgress) ? Graded
                                                                                                   : GraderErred;

@@ -73,6 +73,9 @@ std::optional<int> parse(int argc, char** argv, Options& options)
     cli.add_option("submission", options.submission, "A folder with a submission's files, such as student");
     cli.add_option("--only", options.onlyFeature, "Grade this feature alone")->check(CLI::IsMember(featureNames()));
     declareJudge(cli, options);
+    cli.add_option("--stress-points", options.stressPoints,
+           "Ask a few of the cases of ./raywork stress too, for so many points beside the 100; 0 only shows what came")
+        ->check(CLI::NonNegativeNumber);
     cli.add_flag("--fresh", options.isFresh, "Repeat also the checks that see nothing changed since the last time");
     cli.add_flag("--watch", options.isWatching, "Grade again after each change of a file, until interrupted");
     declareOutputs(cli, options.outputs);

@@ -18,6 +18,7 @@ struct Options {
     std::string golden; // file; empty: the reference's worker answers
     std::string times; // file to write to; empty: nowhere
     std::string record; // file to write the reference's answers to; empty: grade
+    std::optional<double> stressPoints; // none: no stress
     bool isFresh = false;
     bool isWatching = false;
     Outputs outputs;

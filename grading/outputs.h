@@ -11,8 +11,9 @@ struct Outputs {
     std::vector<std::string> hidden; // patterns of names, such as texture.*
 };
 
-// Throws files::Error for a pattern that matches no check: a typing mistake would show what is to be hidden.
-void expectPatternsMatch(const std::vector<std::string>& patterns);
+// Throws files::Error for a pattern that matches no check and no other row: a typing mistake would show what is to be
+// hidden.
+void expectPatternsMatch(const std::vector<std::string>& patterns, const std::vector<std::string>& otherRows = {});
 
 // The rows, those that match a pattern hidden, without what they would tell: message, cause and pictures.
 [[nodiscard]] std::vector<Row> hide(std::vector<Row> rows, const std::vector<std::string>& patterns);

@@ -1,5 +1,4 @@
 #include "grading/report.h"
-#include "grading/feature.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
@@ -17,6 +16,15 @@ Score totalOf(const std::vector<Row>& rows, const std::string& feature)
         total.maxScore += row.maxScore;
     }
     return total;
+}
+
+std::vector<std::string> featuresOf(const std::vector<Row>& rows)
+{
+    std::vector<std::string> features;
+    for (const Row& row : rows)
+        if (std::ranges::find(features, row.feature) == features.end())
+            features.push_back(row.feature);
+    return features;
 }
 
 std::vector<Row> rowsOf(const std::vector<Row>& rows, const std::string& feature)

@@ -14,6 +14,9 @@ struct Score {
 // Of all rows, or of one feature's. Hidden checks count.
 [[nodiscard]] Score totalOf(const std::vector<Row>& rows, const std::string& feature = "");
 
+// The features that have rows, in the order of these.
+[[nodiscard]] std::vector<std::string> featuresOf(const std::vector<Row>& rows);
+
 // The rows of one feature, in their order.
 [[nodiscard]] std::vector<Row> rowsOf(const std::vector<Row>& rows, const std::string& feature);
 

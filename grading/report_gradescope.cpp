@@ -1,4 +1,3 @@
-#include "grading/feature.h"
 #include "grading/report.h"
 #include "grading/write_whole.h"
 #include <fmt/format.h>
@@ -23,9 +22,10 @@ namespace {
     std::string summaryOf(const std::vector<Row>& rows)
     {
         std::string summary;
-        for (const Feature& feature : gradedFeatures)
-            if (const Score total = totalOf(rows, feature.name); total.maxScore > 0.0)
-                summary += fmt::format("{}: {:.4g} of {:.4g}\n", feature.name, total.score, total.maxScore);
+        for (const std::string& feature : featuresOf(rows)) {
+            const Score total = totalOf(rows, feature);
+            summary += fmt::format("{}: {:.4g} of {:.4g}\n", feature, total.score, total.maxScore);
+        }
         return summary;
     }
 
@@ -36,11 +36,10 @@ void writeGradescope(const std::filesystem::path& path, const Grade& grade)
     const std::vector<Row>& rows = grade.rows;
     Json tests = Json::array();
     int featureNumber = 0;
-    for (const Feature& feature : gradedFeatures) {
-        const std::vector<Row> ofFeature = rowsOf(rows, feature.name);
-        featureNumber += !ofFeature.empty();
+    for (const std::string& feature : featuresOf(rows)) {
+        ++featureNumber;
         int checkNumber = 0;
-        for (const Row& row : ofFeature)
+        for (const Row& row : rowsOf(rows, feature))
             tests.push_back(toTest(row, fmt::format("{}.{}", featureNumber, ++checkNumber)));
     }
     const Score total = totalOf(rows);

@@ -1,4 +1,3 @@
-#include "grading/feature.h"
 #include "grading/html/page.h"
 #include "grading/report.h"
 #include "grading/write_whole.h"
@@ -58,16 +57,14 @@ namespace {
         Json json { { "submission", grade.submission }, { "notSandboxed", grade.notSandboxed },
             { "score", total.score }, { "maxScore", total.maxScore } };
         json["features"] = Json::array();
-        for (const Feature& feature : gradedFeatures) {
-            const Score part = totalOf(rows, feature.name);
-            if (part.maxScore == 0.0)
-                continue;
+        for (const std::string& feature : featuresOf(rows)) {
+            const Score part = totalOf(rows, feature);
             Json checks = Json::array();
-            for (const Row& row : rowsOf(rows, feature.name))
+            for (const Row& row : rowsOf(rows, feature))
                 checks.push_back(toJson(row));
-            Json& ofFeature = json["features"].emplace_back(Json { { "name", feature.name }, { "score", part.score },
+            Json& ofFeature = json["features"].emplace_back(Json { { "name", feature }, { "score", part.score },
                 { "maxScore", part.maxScore }, { "checks", std::move(checks) } });
-            const auto observation = std::ranges::find(grade.observations, feature.name, &Observation::feature);
+            const auto observation = std::ranges::find(grade.observations, feature, &Observation::feature);
             if (observation != grade.observations.end()) {
                 ofFeature["drawn"] = observation->drawn;
                 ofFeature["solutionDraws"] = observation->expected;

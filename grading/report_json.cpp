@@ -1,4 +1,3 @@
-#include "grading/feature.h"
 #include "grading/report.h"
 #include "grading/write_whole.h"
 #include <nlohmann/json.hpp>
@@ -29,9 +28,8 @@ namespace {
             { "sandbox", grade.notSandboxed.empty() ? "bubblewrap" : "none: " + grade.notSandboxed } };
         json.update(toJson(totalOf(rows)));
         json["features"] = Json::object();
-        for (const Feature& feature : gradedFeatures)
-            if (const Score total = totalOf(rows, feature.name); total.maxScore > 0.0)
-                json["features"][feature.name] = toJson(total);
+        for (const std::string& feature : featuresOf(rows))
+            json["features"][feature] = toJson(totalOf(rows, feature));
         json["checks"] = Json::array();
         for (const Row& row : rows)
             json["checks"].push_back(toJson(row));

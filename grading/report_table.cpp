@@ -1,4 +1,3 @@
-#include "grading/feature.h"
 #include "grading/report.h"
 #include <fmt/color.h>
 #include <fmt/core.h>
@@ -65,13 +64,11 @@ namespace {
 void printTable(const Grade& grade, bool withColor)
 {
     const std::vector<Row>& rows = grade.rows;
-    for (const Feature& feature : gradedFeatures) {
-        const Score total = totalOf(rows, feature.name);
-        if (total.maxScore == 0.0)
-            continue;
-        fmt::print("{:<44} {:>5.4g} / {:.4g}\n", feature.name, total.score, total.maxScore);
+    for (const std::string& feature : featuresOf(rows)) {
+        const Score total = totalOf(rows, feature);
+        fmt::print("{:<44} {:>5.4g} / {:.4g}\n", feature, total.score, total.maxScore);
         std::string previous; // a file that does not compile says so once
-        for (const Row& row : rowsOf(rows, feature.name)) {
+        for (const Row& row : rowsOf(rows, feature)) {
             printRow(row, withColor, previous);
             previous = explanationOf(row);
         }

@@ -59,6 +59,18 @@ std::filesystem::path Submission::buildWholeWorker(const std::string& rest)
     return worker.file;
 }
 
+Program Submission::buildStressedWorker(const std::string& feature)
+{
+    compileOnce(feature);
+    const bool isBuilt = part(feature).state == State::Built;
+    const Program alone
+        = link(isBuilt ? std::vector { m_objects.at(feature) } : std::vector<Object>(), "stressed_" + feature);
+    if (alone.errors.empty())
+        return alone;
+    compileAll();
+    return link(builtObjects(), "stressed");
+}
+
 void Submission::compileAll()
 {
     tbb::parallel_for_each(names(), [&](const std::string& name) { compileOnce(name); });

@@ -24,6 +24,10 @@ public:
     // rest: see Toolchain::restOf. Throws std::runtime_error when not even that links.
     [[nodiscard]] std::filesystem::path buildWholeWorker(const std::string& rest = "whole");
 
+    // A worker to be asked under stress, with the submission's file for this feature and the reference's for all
+    // others; with all of the submission's files if it needs them.
+    [[nodiscard]] Program buildStressedWorker(const std::string& feature);
+
     // What became of a file, once it was needed.
     [[nodiscard]] const Part& part(const std::string& name) const { return m_sources.at(name).part; }
     [[nodiscard]] std::vector<std::string> names() const;

@@ -18,8 +18,8 @@ public:
     // Changes with anything of ours that goes into an object or a program: flags, headers, archives.
     std::string digest;
 
-    // What a program is linked with beside a submission's objects: rest is whole, questioned, stressed, figures or a
-    // feature.
+    // What a program is linked with beside a submission's objects: rest is whole, questioned, stressed, figures, a
+    // feature, or stressed_ and a feature.
     [[nodiscard]] std::vector<std::string> restOf(const std::string& rest) const;
 
     // Of what we built of such a rest and the digest above does not know.

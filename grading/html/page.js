@@ -16,7 +16,7 @@ function make(tag, className, ...children) {
 
 const points = (of) => `${+of.score.toFixed(2)} / ${+of.maxScore.toFixed(2)}`;
 const slug = (status) => status.replace(" ", "-");
-const lostPoints = (check) => check.status !== "hidden" && check.score < check.maxScore;
+const lostPoints = (check) => !["hidden", "passed"].includes(check.status); // if it had any to give
 
 // ---- Pictures: floats, three a pixel, the bottom row first --------------------------------------------------------
 
@@ -173,7 +173,7 @@ function makeCheck(check, above) {
 
 function makeBar(of) {
   const bar = make("i", "bar");
-  bar.style.setProperty("--share", of.score / of.maxScore);
+  bar.style.setProperty("--share", of.maxScore > 0 ? of.score / of.maxScore : 0);
   return bar;
 }
 

@@ -37,17 +37,16 @@ namespace {
 
 }
 
-Asker::Asker(std::filesystem::path worker, uint64_t seed)
+Asker::Asker(std::filesystem::path worker, uint64_t seed, std::chrono::seconds patience)
     : m_worker(std::move(worker))
     , m_seed(seed)
+    , m_patience(patience)
 {
 }
 
-// A message takes a worker a fraction of a second, one that asks for all numbers of a sampler seconds; and the machine
-// may be busy. When a message was not answered, its halves have less time.
 void Asker::ask(const Stress& kind, const Range& range, Tally& tally)
 {
-    ask(kind, range, tally, std::chrono::seconds(20));
+    ask(kind, range, tally, m_patience);
 }
 
 void Asker::ask(const Stress& kind, const Range& range, Tally& tally, std::chrono::seconds patience)
@@ -65,10 +64,11 @@ void Asker::ask(const Stress& kind, const Range& range, Tally& tally, std::chron
         lost = { "malformed", error.what() };
     }
     m_process.reset();
-    if (range.count > 1) {
+    if (range.count > 1) { // less is asked, in less time
         const std::size_t half = range.count / 2;
-        ask(kind, { range.first, half }, tally, std::chrono::seconds(2));
-        ask(kind, { range.first + half, range.count - half }, tally, std::chrono::seconds(2));
+        const auto less = std::min(patience, std::chrono::seconds(2));
+        ask(kind, { range.first, half }, tally, less);
+        ask(kind, { range.first + half, range.count - half }, tally, less);
         return;
     }
     const auto batch = kind.makeBatch(seedOf(kind, m_seed), range);

@@ -9,7 +9,8 @@ namespace stress {
 // Asks a submission's worker, which starts when it is first asked and again whenever it is gone.
 class Asker {
 public:
-    Asker(std::filesystem::path worker, uint64_t seed);
+    // patience: with a message, whatever else the machine does.
+    Asker(std::filesystem::path worker, uint64_t seed, std::chrono::seconds patience);
 
     // All these inputs: one that takes the worker with it is found by halves, and the others are judged.
     void ask(const Stress& kind, const Range& range, Tally& tally);
@@ -20,6 +21,7 @@ private:
 
     std::filesystem::path m_worker;
     uint64_t m_seed;
+    std::chrono::seconds m_patience;
     std::unique_ptr<worker::Process> m_process;
 };
 

@@ -48,15 +48,6 @@ namespace {
             tally.failed * kind.casesEach, tally.largestUlps, wordFor(tally));
     }
 
-    std::string paragraphOf(const Report& report, const Stress& kind, const Failure& failure)
-    {
-        const auto& [isRight, ulps, came, expected] = failure.judgement;
-        return fmt::format(
-            "{}: {}\n  asked     {}\n  came      {}\n  expected  {}\n  off by    {:.3g} ulps\n  again     {}\n\n",
-            called(kind, failure), failure.word, failure.asked, came, expected, ulps,
-            reproduction(report, kind, failure));
-    }
-
     nlohmann::ordered_json jsonOf(const Sum& sum)
     {
         return { { "cases", sum.cases }, { "failed", sum.failed }, { "not_attempted", sum.unwritten },
@@ -82,8 +73,17 @@ bool allPassed(const Report& report)
 
 std::string reproduction(const Report& report, const Stress& kind, const Failure& failure)
 {
+    const std::string alone = report.alone.empty() ? "" : " --alone " + report.alone;
+    return fmt::format("./raywork stress {}{} --only {} --seed {} --case {}", report.submission, alone, kind.name,
+        report.seed, failure.input);
+}
+
+std::string paragraph(const Report& report, const Stress& kind, const Failure& failure)
+{
+    const auto& [isRight, ulps, came, expected] = failure.judgement;
     return fmt::format(
-        "./raywork stress {} --only {} --seed {} --case {}", report.submission, kind.name, report.seed, failure.input);
+        "{}: {}\n  asked     {}\n  came      {}\n  expected  {}\n  off by    {:.3g} ulps\n  again     {}\n",
+        called(kind, failure), failure.word, failure.asked, came, expected, ulps, reproduction(report, kind, failure));
 }
 
 std::string table(const Report& report)
@@ -94,7 +94,7 @@ std::string table(const Report& report)
     text += "\n";
     for (const auto& [kind, tally] : report.tallies) {
         for (const Failure& failure : tally.failures)
-            text += paragraphOf(report, *kind, failure);
+            text += paragraph(report, *kind, failure) + "\n";
         if (tally.unwritten > 0)
             text += fmt::format("{}: not attempted: {}\n", kind->name, fmt::join(tally.unwrittenFunctions, ", "));
     }

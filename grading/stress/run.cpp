@@ -82,12 +82,15 @@ namespace {
         std::mutex mutex {};
     };
 
-    void askInTurn(Work& work, Asker asker, const std::function<void(float)>& onProgress)
+    void askInTurn(Work& work, const Plan& plan, Asker asker, const std::function<void(float)>& onProgress)
     {
         try {
             for (std::size_t i; (i = work.next++) < work.portions.size();) {
                 const auto& [kind, range] = work.portions[i];
-                asker.ask(*kind, range, work.tallies.at(kind));
+                Tally& tally = work.tallies.at(kind);
+                asker.ask(*kind, range, tally);
+                if (plan.stopsWhenGivenUp && tally.isGivenUp())
+                    work.next = work.portions.size();
                 if (onProgress)
                     onProgress(static_cast<float>(++work.numDone) / static_cast<float>(work.portions.size()));
             }
@@ -107,7 +110,8 @@ Tallies run(const std::filesystem::path& worker, const Plan& plan, const std::fu
         work.tallies[portion.kind];
     std::vector<std::thread> threads;
     for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back(askInTurn, std::ref(work), Asker(worker, plan.seed), std::cref(onProgress));
+        threads.emplace_back(
+            askInTurn, std::ref(work), std::cref(plan), Asker(worker, plan.seed, plan.patience), std::cref(onProgress));
     for (std::thread& thread : threads)
         thread.join();
     if (work.error)

@@ -1,5 +1,6 @@
 #pragma once
 #include "grading/stress/tally.h"
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -11,6 +12,8 @@ struct Plan {
     std::string only; // a feature, or a name or how it begins up to a dot; empty: all
     uint64_t seed = 1;
     std::optional<std::size_t> numCases; // random ones, about, in all; otherwise what each kind says
+    std::chrono::seconds patience { 20 }; // with a message; one that asks for all numbers of a sampler takes seconds
+    bool stopsWhenGivenUp = false; // asks no more of any kind once one has taken too many workers with it
     std::optional<std::size_t> input; // this one alone, of the one kind that `only` names
 };
 

@@ -3,6 +3,7 @@
 #include "files/error.h"
 #include "grading/stress/report.h"
 #include "grading/write_whole.h"
+#include "submission/features.h"
 #include "submission/named_folder.h"
 #include "submission/submission.h"
 #include "values/stopwatch.h"
@@ -13,6 +14,7 @@ namespace {
 
 struct Options {
     std::string submission = "student";
+    std::string alone; // a file
     std::filesystem::path json;
     stress::Plan plan;
 };
@@ -23,6 +25,8 @@ void declare(CLI::App& cli, Options& options)
 {
     cli.add_option("submission", options.submission, "student, reference, or a submission's folder [student]");
     cli.add_option("--only", options.plan.only, "Only this feature, or what has this name up to a dot");
+    cli.add_option("--alone", options.alone, "This file beside the reference's others [all files together]")
+        ->check(CLI::IsMember(submission::features));
     cli.add_option("--json", options.json, "Write what was found to this file as well");
     cli.add_option("--seed", options.plan.seed, "Of the random cases [1]");
     cli.add_option("--cases", options.plan.numCases, "Random cases in all, about [ten million and more]")
@@ -32,10 +36,20 @@ void declare(CLI::App& cli, Options& options)
     cli.footer("Exit codes: 0 all passed, 1 some failed or were not attempted, 2 bad input, 75 the program failed.");
 }
 
-std::filesystem::path build(const std::string& name)
+std::filesystem::path build(submission::Submission& submission, const std::string& alone)
 {
-    submission::Submission submission { submission::namedFolder(name) };
-    std::filesystem::path worker = submission.buildWholeWorker("stressed");
+    if (alone.empty())
+        return submission.buildWholeWorker("stressed");
+    const submission::Program worker = submission.buildStressedWorker(alone);
+    if (!worker.errors.empty())
+        throw std::runtime_error(worker.errors);
+    return worker.file;
+}
+
+std::filesystem::path build(const Options& options)
+{
+    submission::Submission submission { submission::namedFolder(options.submission) };
+    std::filesystem::path worker = build(submission, options.alone);
     for (const std::string& file : submission.names())
         if (const submission::Part& part = submission.part(file); part.state == submission::State::Refused)
             fmt::print(stderr, "{}.cpp is left out. {}", file, part.message);
@@ -44,11 +58,11 @@ std::filesystem::path build(const std::string& name)
 
 ExitCode run(const Options& options)
 {
-    const std::filesystem::path worker = build(options.submission);
+    const std::filesystem::path worker = build(options);
     const values::Stopwatch watch;
     const stress::Tallies tallies = stress::run(worker, options.plan, app::drawProgressBar);
     app::clearProgressBar();
-    const stress::Report report { options.submission, options.plan.seed, watch.seconds(), tallies };
+    const stress::Report report { options.submission, options.alone, options.plan.seed, watch.seconds(), tallies };
     if (!options.json.empty())
         grading::writeWhole(options.json, stress::json(report));
     fmt::print("{}", stress::table(report));
