@@ -17,8 +17,7 @@ int main(int argc, char** argv)
     cli.require_subcommand(1);
     const bench::Command commands[] = { bench::declareTraversal(cli), bench::declareAccuracy(cli),
         bench::declareWatertight(cli), bench::declareRender(cli), bench::declareSkip(cli), bench::declareError(cli),
-        bench::declareAdaptive(cli),
-        bench::declareKernels(cli), bench::declareGrade(cli) };
+        bench::declareAdaptive(cli), bench::declareKernels(cli), bench::declareGrade(cli) };
     return app::runCommand(cli, argc, argv, [&] {
         return std::ranges::find_if(commands, [](const bench::Command& command) {
             return command.cli->parsed();

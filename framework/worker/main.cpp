@@ -37,7 +37,7 @@ worker::Frame answer(const worker::Frame& request, const std::function<void(floa
         whole.append(output.bytes().data(), output.bytes().size());
         return { request.nonce, Kind::Answer, std::move(whole) };
     } catch (const std::bad_alloc&) {
-        return failure(request, "found too little memory for this, expected a smaller scene or picture");
+        return failure(request, "there is too little memory for this: a smaller scene or picture takes less");
     } catch (const std::exception& error) {
         return failure(request, error.what());
     }

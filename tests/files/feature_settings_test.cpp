@@ -8,7 +8,7 @@ using Catch::Matchers::Equals;
 TEST_CASE("Every feature has one name", "[files]")
 {
     const auto names = files::featureNames();
-    CHECK(names.size() == 23);
+    CHECK(names.size() == 25);
     CHECK(std::set(names.begin(), names.end()).size() == names.size());
 }
 

@@ -35,8 +35,8 @@ const std::vector<Mistake> mistakes {
         "(glm::vec2(x, y) + state.sampler.next_2d()) / static_cast<float>(n)", "state.sampler.next_2d()", "wrong" },
     { "null pointer dereferenced", "texture", "texture", "    return image.get_pixel(j * image.width + i);",
         "    return *static_cast<volatile float*>(nullptr) * image.get_pixel(j * image.width + i);", "crashed" },
-    { "endless loop", "light", "light", "    Ray toLight = shadowRay(lightPosition, ray, hitInfo);\n",
-        "    Ray toLight = shadowRay(lightPosition, ray, hitInfo);\n" + infiniteLoop, "timed out" },
+    { "endless loop", "light", "light", "    const Ray toLight = shadowRay(lightPosition, ray, hitInfo);\n",
+        "    const Ray toLight = shadowRay(lightPosition, ray, hitInfo);\n" + infiniteLoop, "timed out" },
 };
 
 }

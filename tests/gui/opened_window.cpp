@@ -119,6 +119,7 @@ ImGuiID Control::id() const
 
 void OpenedWindow::activate(const Control& control)
 {
+    GImGui->NavId = control.id(); // also where it is scrolled out of sight
     ImGui::ActivateItem(control.id());
     drawFrames(3); // it is pressed in the next, and what follows from it is shown after that
 }
