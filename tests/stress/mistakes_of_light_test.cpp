@@ -73,14 +73,22 @@ const std::vector<Submission> submissions {
         { "light", "a segment's colour reversed alone", "light.segment" },
     },
     {
+        { "texture", "nearest flips v and reads past the image at v = 0", "texture.nearest" },
         { "shading", "negative light behind the surface", "gradient.model" },
         { "light", "the light's colour squared", "light.contribution" },
     },
     {
+        { "texture", "bilinear adds to the colour of the last call", "texture.bilinear" },
+        { "shading", "the index runs past the end above the last component", "gradient.sample" },
         { "light", "a parallelogram's sum is divided by one sample more", "light.contribution" },
         { "recursive", "depth of the mirrored light not raised", "recursion" },
     },
-    { { "recursive", "alpha the wrong way round", "recursion" } },
+    {
+        { "texture", "nearest truncates texCoord * (size - 1)", "texture.nearest" },
+        { "shading", "the first two components whatever their position", "gradient.sample" },
+        { "light", "a shadow ray without a limit", "light.visibility" },
+        { "recursive", "alpha the wrong way round", "recursion" },
+    },
 };
 
 std::filesystem::path build(const Submission& submission)

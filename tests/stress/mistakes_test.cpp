@@ -49,7 +49,9 @@ const Mistakes rays { "recursive",
         "mirrored about a normal that is not unit",
         "scalar added to all axes of the passthrough origin",
         "passthrough origin scaled",
+        "passthrough ray with no offset",
         "passthrough ray offset by a few epsilon",
+        "t of the passthrough ray 1",
     } };
 
 // Few cases are enough: who makes such a mistake makes it often.
