@@ -4,6 +4,7 @@
 #include "screen.h"
 #include "values/even_numbers.h"
 #include "values/needs_of.h"
+#include <framework/trackball.h>
 #include <tbb/parallel_for.h>
 
 namespace app {
@@ -20,6 +21,11 @@ void renderPixels(const Scene& scene, const BVHInterface& bvh, const Features& f
             values::EvenNumbers even(seedOffset + index);
             RenderState state { scene, features, bvh,
                 features.extra.enableOwenSampling ? Sampler(even) : Sampler(seedOffset + index), needs };
+            if (features.numPixelSamples == 1) {
+                const glm::vec2 centre = (glm::vec2(x, y) + 0.5f) / glm::vec2(resolution) * 2.0f - 1.0f;
+                screen.setPixel(x, y, renderRay(state, camera.generateRay(centre)));
+                continue;
+            }
             const std::vector<Ray> rays = generatePixelRays(state, camera, { x, y }, resolution);
             screen.setPixel(x, y, renderRays(state, rays));
         }
