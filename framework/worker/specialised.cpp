@@ -72,7 +72,7 @@ namespace {
             if (depth >= m_features.extra.maxDepth)
                 return color;
             const Material& material = *surface.material;
-            const glm::vec3 lifted = offsetOf(glm::abs(ray.origin) + glm::abs(surface.way)) * surface.normal;
+            const glm::vec3 lifted = offsetOf(sizeOf(ray.origin) + sizeOf(surface.way)) * surface.normal;
             if constexpr (parts.mirrors) {
                 if (material.ks != glm::vec3(0.0f)) {
                     const glm::vec3 mirrored
@@ -127,9 +127,7 @@ namespace {
                 if (glm::dot(between, between) > 0.0f)
                     normal = between;
             }
-            surface.normal = glm::normalize(normal);
-            if (glm::dot(surface.normal, ray.direction) > 0.0f)
-                surface.normal = -surface.normal;
+            surface.normal = turnedAgainst(ray.direction, glm::normalize(normal));
         }
 
         glm::vec3 lightOn(const Surface& surface, const Ray& ray)
@@ -140,27 +138,27 @@ namespace {
             const auto lightFrom = [&](const glm::vec3& position, const glm::vec3& color) {
                 return lightOfSample(position, color, surface, eye, above);
             };
-            const auto fromLight = make_visitor(
-                [&](const PointLight& light) { return lightFrom(light.position, light.color); },
-                [&](const SegmentLight& light) {
-                    glm::vec3 sum { 0.0f };
-                    for (uint32_t i = 0; i < number; ++i) {
-                        const float at = m_sampler.next_1d();
-                        sum += lightFrom(glm::mix(light.endpoint0, light.endpoint1, at),
-                            glm::mix(light.color0, light.color1, at));
-                    }
-                    return sum / static_cast<float>(number);
-                },
-                [&](const ParallelogramLight& light) {
-                    glm::vec3 sum { 0.0f };
-                    for (uint32_t i = 0; i < number; ++i) {
-                        const glm::vec2 at = m_sampler.next_2d();
-                        const glm::vec3 color = glm::mix(glm::mix(light.color0, light.color1, at.x),
-                            glm::mix(light.color2, light.color3, at.x), at.y);
-                        sum += lightFrom(light.v0 + at.x * light.edge01 + at.y * light.edge02, color);
-                    }
-                    return sum / static_cast<float>(number);
-                });
+            const auto fromLight
+                = make_visitor([&](const PointLight& light) { return lightFrom(light.position, light.color); },
+                    [&](const SegmentLight& light) {
+                        glm::vec3 sum { 0.0f };
+                        for (uint32_t i = 0; i < number; ++i) {
+                            const float at = m_sampler.next_1d();
+                            sum += lightFrom(glm::mix(light.endpoint0, light.endpoint1, at),
+                                glm::mix(light.color0, light.color1, at));
+                        }
+                        return sum / static_cast<float>(number);
+                    },
+                    [&](const ParallelogramLight& light) {
+                        glm::vec3 sum { 0.0f };
+                        for (uint32_t i = 0; i < number; ++i) {
+                            const glm::vec2 at = m_sampler.next_2d();
+                            const glm::vec3 color = glm::mix(glm::mix(light.color0, light.color1, at.x),
+                                glm::mix(light.color2, light.color3, at.x), at.y);
+                            sum += lightFrom(light.v0 + at.x * light.edge01 + at.y * light.edge02, color);
+                        }
+                        return sum / static_cast<float>(number);
+                    });
             glm::vec3 sum { 0.0f };
             for (const Scene::SceneLight& light : m_scene.lights)
                 sum += std::visit(fromLight, light);

@@ -4,6 +4,18 @@
 // What the reference and the provided models compute, for the compiler to put where it is used.
 namespace worker {
 
+// The sides of a triangle are met alike often: a jump would be foreseen in half of the cases.
+[[nodiscard]] inline glm::vec3 turnedAgainst(const glm::vec3& direction, const glm::vec3& normal)
+{
+    return normal * (1.0f - 2.0f * static_cast<float>(glm::dot(normal, direction) > 0.0f));
+}
+
+// Of each coordinate. Not glm::abs, which jumps by signs.
+[[nodiscard]] inline glm::vec3 sizeOf(const glm::vec3& v)
+{
+    return glm::max(v, -v);
+}
+
 // How far a ray keeps from a surface that was calculated from numbers of these sizes.
 [[nodiscard]] inline float offsetOf(const glm::vec3& size)
 {
@@ -13,7 +25,7 @@ namespace worker {
 // The same for a surface between two points.
 [[nodiscard]] inline float offsetBetween(const glm::vec3& from, const glm::vec3& to)
 {
-    return offsetOf(glm::max(glm::abs(from), glm::abs(to)));
+    return offsetOf(glm::max(sizeOf(from), sizeOf(to)));
 }
 
 // What a surface of this opacity leaves of the light that goes through it.
