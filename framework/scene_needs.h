@@ -12,6 +12,7 @@ struct SceneNeeds {
     bool pointLights = true;
     bool areaLights = true; // segments and parallelograms
     bool environment = true;
+    bool pixelRays = true; // a pixel's list of rays, and the mean of what they see, rather than one ray
     bool shadows = true;
     bool shadowsInOrder = true; // which surface is first on the way to a light, rather than whether there is one
     bool lightFromBehind = true; // light that reaches a surface from below it, or is black, or meets a black surface

@@ -28,7 +28,7 @@ static glm::vec3 hitPoint(const Ray& ray)
 // "Managing Rounding Error".
 static float shadowOffset(const glm::vec3& from, const glm::vec3& to)
 {
-    const glm::vec3 size = glm::max(glm::abs(from), glm::abs(to));
+    const glm::vec3 size = glm::max(glm::max(from, -from), glm::max(to, -to)); // glm::abs would jump by signs
     return 0x1p-15f * std::max({ size.x, size.y, size.z }); // 512 roundings; there are about a dozen
 }
 

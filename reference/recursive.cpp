@@ -6,7 +6,8 @@
 // Error". A hit on a triangle no larger than these numbers has a dozen roundings of 2^-24; here are 512.
 static float originOffset(const Ray& ray)
 {
-    const glm::vec3 size = glm::abs(ray.origin) + glm::abs(ray.t * ray.direction);
+    const glm::vec3 way = ray.t * ray.direction;
+    const glm::vec3 size = glm::max(ray.origin, -ray.origin) + glm::max(way, -way); // glm::abs would jump by signs
     return 0x1p-15f * std::max({ size.x, size.y, size.z });
 }
 

@@ -1,4 +1,4 @@
-#include "provided/models.h"
+#include "provided/marks.h"
 #include "shading.h"
 
 const char provided::phongMark = 0;

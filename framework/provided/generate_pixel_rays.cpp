@@ -1,6 +1,9 @@
+#include "provided/marks.h"
 #include "render.h"
+#include "values/centre_ray.h"
 #include "values/even_numbers.h"
-#include <framework/trackball.h>
+
+const char provided::pixelRaysMark = 0;
 
 std::vector<Ray> generatePixelRays(
     RenderState& state, const Trackball& camera, glm::ivec2 pixel, glm::ivec2 screenResolution)
@@ -12,6 +15,5 @@ std::vector<Ray> generatePixelRays(
             ? generatePixelRaysStratified(state, camera, pixel, screenResolution)
             : generatePixelRaysUniform(state, camera, pixel, screenResolution);
     }
-    const glm::vec2 centre = (glm::vec2(pixel) + 0.5f) / glm::vec2(screenResolution) * 2.0f - 1.0f;
-    return { camera.generateRay(centre) };
+    return { values::centreRay(camera, pixel, screenResolution) };
 }

@@ -6,68 +6,74 @@
 
 namespace {
 
-void fillHit(const RenderState& state, const BVHInterface::Primitive& primitive, const accel::TriangleHit& hit,
-    const Ray& ray, HitInfo& hitInfo)
+// A jump would be foreseen in half of the cases: both sides of a triangle are met.
+glm::vec3 turnedAgainst(const glm::vec3& direction, const glm::vec3& normal)
+{
+    return normal * (1.0f - 2.0f * static_cast<float>(glm::dot(normal, direction) > 0.0f));
+}
+
+// bc: the hit's weights, whose sum is 1.
+void fillHit(const RenderState& state, const BVHInterface::Primitive& primitive, const glm::vec3& bc,
+    const glm::vec3& direction, HitInfo& hitInfo)
 {
     const auto& [meshID, v0, v1, v2] = primitive;
-    const glm::vec3& bc = hit.barycentric;
     hitInfo.material = state.scene.meshes[meshID].material;
     hitInfo.barycentricCoord = bc;
     hitInfo.texCoord = bc.x * v0.texCoord + bc.y * v1.texCoord + bc.z * v2.texCoord;
-    glm::vec3 normal = hit.normal;
-    if (state.features.enableNormalInterp) {
+    glm::vec3 normal = glm::cross(v1.position - v0.position, v2.position - v0.position);
+    if (state.features.enableNormalInterp && state.needs.shadingNormals) {
         const glm::vec3 interpolated = bc.x * v0.normal + bc.y * v1.normal + bc.z * v2.normal;
         if (glm::dot(interpolated, interpolated) > 0.0f) // opposite normals may cancel
             normal = interpolated;
     }
-    hitInfo.normal = glm::normalize(normal);
-    if (glm::dot(hitInfo.normal, ray.direction) > 0.0f)
-        hitInfo.normal = -hitInfo.normal;
+    hitInfo.normal = turnedAgainst(direction, glm::normalize(normal));
 }
 
-const BVHInterface::Primitive* findInBinaryTree(const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+bool intersectBinaryTree(const RenderState& state, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
 {
-    const BVHInterface::Primitive* found = accel::findClosest(bvh, ray, hit);
+    accel::TriangleHit hit;
+    const BVHInterface::Primitive* primitive = accel::findClosest(bvh, ray, hit);
+    if (!primitive)
+        return false;
     const glm::vec3& volumes = hit.barycentric;
-    if (found)
-        hit.barycentric = volumes / (volumes.x + volumes.y + volumes.z);
-    return found;
+    fillHit(state, *primitive, volumes / (volumes.x + volumes.y + volumes.z), ray.direction, hitInfo);
+    return true;
 }
 
-const BVHInterface::Primitive* findInWideTree(
-    const accel::WideTree& tree, const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+bool intersectWideTree(
+    const RenderState& state, const accel::WideTree& tree, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
 {
-    const auto found = tree.closest(ray);
-    if (!found)
-        return nullptr;
-    const BVHInterface::Primitive& primitive = bvh.primitives()[found->primitive];
-    const glm::vec3 &a = primitive.v0.position, &b = primitive.v1.position, &c = primitive.v2.position;
-    hit = { found->t, { 1.0f - found->u - found->v, found->u, found->v }, glm::cross(b - a, c - a) };
-    ray.t = found->t;
-    return &primitive;
+    const auto hit = tree.closest(ray);
+    if (!hit)
+        return false;
+    ray.t = hit->t;
+    const glm::vec3 bc { 1.0f - hit->u - hit->v, hit->u, hit->v };
+    fillHit(state, bvh.primitives()[hit->primitive], bc, ray.direction, hitInfo);
+    return true;
 }
 
 // In the library's own tree if there is one; in the one that everybody sees otherwise, and if somebody counts its
-// nodes. The hit's weights have the sum 1.
-const BVHInterface::Primitive* findTriangle(
-    const RenderState& state, const BVHInterface& bvh, Ray& ray, accel::TriangleHit& hit)
+// nodes.
+bool intersectTriangles(const RenderState& state, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
 {
-    if (!state.needs.triangles)
-        return nullptr;
     const accel::WideTree* tree = bvh.wideTree();
-    return tree && !debug::Tally::isOpen() ? findInWideTree(*tree, bvh, ray, hit) : findInBinaryTree(bvh, ray, hit);
+    return tree && !debug::Tally::isOpen() ? intersectWideTree(state, *tree, bvh, ray, hitInfo)
+                                           : intersectBinaryTree(state, bvh, ray, hitInfo);
+}
+
+bool intersectSpheres(const std::vector<Sphere>& spheres, Ray& ray, HitInfo& hitInfo)
+{
+    bool isHit = false;
+    for (const Sphere& sphere : spheres)
+        isHit |= intersectRayWithShape(sphere, ray, hitInfo);
+    return isHit;
 }
 
 }
 
 bool intersectRayWithBVH(RenderState& state, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
 {
-    accel::TriangleHit hit;
-    const BVHInterface::Primitive* primitive = findTriangle(state, bvh, ray, hit);
-    if (primitive)
-        fillHit(state, *primitive, hit, ray, hitInfo);
-    bool hitSphere = false;
-    for (const Sphere& sphere : state.scene.spheres)
-        hitSphere |= intersectRayWithShape(sphere, ray, hitInfo);
-    return primitive || hitSphere;
+    const bool isTriangle = state.needs.triangles && intersectTriangles(state, bvh, ray, hitInfo);
+    const bool isSphere = state.needs.spheres && intersectSpheres(state.scene.spheres, ray, hitInfo);
+    return isTriangle || isSphere;
 }

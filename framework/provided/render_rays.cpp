@@ -1,5 +1,8 @@
+#include "provided/marks.h"
 #include "recursive.h"
 #include "values/even_numbers.h"
+
+const char provided::raysMark = 0;
 
 glm::vec3 renderRays(RenderState& state, std::span<const Ray> rays, int rayDepth)
 {

@@ -1,5 +1,5 @@
 #include "values/needs_of.h"
-#include "provided/models.h"
+#include "provided/marks.h"
 #include <algorithm>
 
 namespace values {
@@ -87,6 +87,12 @@ namespace {
         return s.features.extra.enableEnvironmentMap ? "" : "environment_map is off";
     }
 
+    std::string whyNoPixelRays(const Subject& s)
+    {
+        const bool isOne = s.features.numPixelSamples <= 1 && !s.features.extra.enableOwenSampling;
+        return isOne && !provided::hasOwnPixels() ? "one goes through the centre" : "";
+    }
+
     std::string whyNoShadows(const Subject& s)
     {
         if (!s.features.enableShadows)
@@ -129,6 +135,7 @@ std::vector<Need> judgeNeeds(const Scene& scene, const Features& features)
         { "point lights", &SceneNeeds::pointLights, whyNoPointLights },
         { "area lights", &SceneNeeds::areaLights, whyNoAreaLights },
         { "environment", &SceneNeeds::environment, whyNoEnvironment },
+        { "rays of a pixel", &SceneNeeds::pixelRays, whyNoPixelRays },
         { "shadows", &SceneNeeds::shadows, whyNoShadows },
         { "order of what throws a shadow", &SceneNeeds::shadowsInOrder, whyNoShadowsInOrder },
         { "light from behind", &SceneNeeds::lightFromBehind, whyNoLightFromBehind },

@@ -20,7 +20,7 @@ namespace {
     };
 
     struct Surface {
-        glm::vec3 point, normal;
+        glm::vec3 way, point, normal; // way: from where the ray started
         glm::vec2 texCoord { 0.0f };
         const Material* material;
     };
@@ -55,10 +55,10 @@ namespace {
                 const glm::vec2 cell(static_cast<float>(i % side), static_cast<float>(i / side % side));
                 positions.push_back(glm::vec2(pixel) + (cell + m_sampler.next_2d()) / static_cast<float>(side));
             }
-            glm::vec3 sum { 0.0f };
+            glm::dvec3 sum { 0.0 };
             for (const glm::vec2& position : positions)
-                sum += through(position);
-            return sum / static_cast<float>(count);
+                sum += glm::dvec3(through(position));
+            return glm::vec3(sum / static_cast<double>(count));
         }
 
     private:
@@ -72,18 +72,18 @@ namespace {
             if (depth >= m_features.extra.maxDepth)
                 return color;
             const Material& material = *surface.material;
+            const glm::vec3 lifted = offsetOf(sizeOf(ray.origin) + sizeOf(surface.way)) * surface.normal;
             if constexpr (parts.mirrors) {
                 if (material.ks != glm::vec3(0.0f)) {
                     const glm::vec3 mirrored
                         = ray.direction - 2.0f * glm::dot(ray.direction, surface.normal) * surface.normal;
-                    const glm::vec3 origin = surface.point + offsetAt(surface.point) * surface.normal;
-                    color += material.ks * trace({ origin, glm::normalize(mirrored) }, depth + 1);
+                    color += material.ks * trace({ surface.point + lifted, glm::normalize(mirrored) }, depth + 1);
                 }
             }
             if constexpr (parts.transparency) {
                 if (material.transparency != 1.0f) {
-                    const glm::vec3 origin = surface.point - offsetAt(surface.point) * surface.normal;
-                    color = glm::mix(trace({ origin, ray.direction }, depth + 1), color, material.transparency);
+                    const glm::vec3 behind = trace({ surface.point - lifted, ray.direction }, depth + 1);
+                    color = glm::mix(behind, color, material.transparency);
                 }
             }
             return color;
@@ -105,11 +105,12 @@ namespace {
                     if (!intersectRayWithShape(sphere, closest, info))
                         continue;
                     isSphere = true;
-                    surface = { {}, info.normal, info.texCoord, &sphere.material };
+                    surface = { {}, {}, info.normal, info.texCoord, &sphere.material };
                 }
             }
             t = closest.t;
-            surface.point = ray.origin + t * ray.direction;
+            surface.way = t * ray.direction;
+            surface.point = ray.origin + surface.way;
             return hit || isSphere;
         }
 
@@ -126,63 +127,67 @@ namespace {
                 if (glm::dot(between, between) > 0.0f)
                     normal = between;
             }
-            surface.normal = glm::normalize(normal);
-            if (glm::dot(surface.normal, ray.direction) > 0.0f)
-                surface.normal = -surface.normal;
+            surface.normal = turnedAgainst(ray.direction, glm::normalize(normal));
         }
 
         glm::vec3 lightOn(const Surface& surface, const Ray& ray)
         {
             const uint32_t number = m_features.numShadowSamples;
             const glm::vec3 eye = -glm::normalize(ray.direction);
-            const auto fromLight = make_visitor(
-                [&](const PointLight& light) { return lightFrom(light.position, light.color, surface, eye); },
-                [&](const SegmentLight& light) {
-                    glm::vec3 sum { 0.0f };
-                    for (uint32_t i = 0; i < number; ++i) {
-                        const float at = m_sampler.next_1d();
-                        sum += lightFrom(glm::mix(light.endpoint0, light.endpoint1, at),
-                            glm::mix(light.color0, light.color1, at), surface, eye);
-                    }
-                    return sum / static_cast<float>(number);
-                },
-                [&](const ParallelogramLight& light) {
-                    glm::vec3 sum { 0.0f };
-                    for (uint32_t i = 0; i < number; ++i) {
-                        const glm::vec2 at = m_sampler.next_2d();
-                        const glm::vec3 color = glm::mix(glm::mix(light.color0, light.color1, at.x),
-                            glm::mix(light.color2, light.color3, at.x), at.y);
-                        sum += lightFrom(light.v0 + at.x * light.edge01 + at.y * light.edge02, color, surface, eye);
-                    }
-                    return sum / static_cast<float>(number);
-                });
+            const glm::vec3 above = surface.point + offsetBetween(ray.origin, surface.point) * surface.normal;
+            const auto lightFrom = [&](const glm::vec3& position, const glm::vec3& color) {
+                return lightOfSample(position, color, surface, eye, above);
+            };
+            const auto fromLight
+                = make_visitor([&](const PointLight& light) { return lightFrom(light.position, light.color); },
+                    [&](const SegmentLight& light) {
+                        glm::vec3 sum { 0.0f };
+                        for (uint32_t i = 0; i < number; ++i) {
+                            const float at = m_sampler.next_1d();
+                            sum += lightFrom(glm::mix(light.endpoint0, light.endpoint1, at),
+                                glm::mix(light.color0, light.color1, at));
+                        }
+                        return sum / static_cast<float>(number);
+                    },
+                    [&](const ParallelogramLight& light) {
+                        glm::vec3 sum { 0.0f };
+                        for (uint32_t i = 0; i < number; ++i) {
+                            const glm::vec2 at = m_sampler.next_2d();
+                            const glm::vec3 color = glm::mix(glm::mix(light.color0, light.color1, at.x),
+                                glm::mix(light.color2, light.color3, at.x), at.y);
+                            sum += lightFrom(light.v0 + at.x * light.edge01 + at.y * light.edge02, color);
+                        }
+                        return sum / static_cast<float>(number);
+                    });
             glm::vec3 sum { 0.0f };
             for (const Scene::SceneLight& light : m_scene.lights)
                 sum += std::visit(fromLight, light);
             return sum;
         }
 
-        glm::vec3 lightFrom(
-            const glm::vec3& position, const glm::vec3& color, const Surface& surface, const glm::vec3& eye)
+        // above: the surface's point, lifted off it.
+        glm::vec3 lightOfSample(const glm::vec3& position, const glm::vec3& color, const Surface& surface,
+            const glm::vec3& eye, const glm::vec3& above)
         {
             const glm::vec3 toLight = position - surface.point;
-            const glm::vec3 direction = toLight / glm::length(toLight);
+            const float distance = glm::length(toLight);
+            if (distance == 0.0f)
+                return glm::vec3(0.0f);
+            const glm::vec3 direction = toLight / distance;
             const float cosine = glm::dot(surface.normal, direction);
             if (m_isDarkBelow && cosine <= 0.0f)
                 return glm::vec3(0.0f);
-            const glm::vec3 arriving = m_features.enableShadows ? leftOf(color, position, surface) : color;
+            const glm::vec3 arriving = m_features.enableShadows ? leftOf(color, position, above) : color;
             if (arriving == glm::vec3(0.0f))
                 return arriving;
             return shade(surface, direction, cosine, arriving, eye);
         }
 
-        glm::vec3 leftOf(const glm::vec3& color, const glm::vec3& position, const Surface& surface) const
+        glm::vec3 leftOf(const glm::vec3& color, const glm::vec3& position, const glm::vec3& above) const
         {
-            const float offset = offsetAt(surface.point);
-            const glm::vec3 origin = surface.point + offset * surface.normal;
-            const glm::vec3 toLight = position - origin;
+            const glm::vec3 toLight = position - above;
             const float distance = glm::length(toLight);
-            Ray remaining { origin, toLight / distance, distance - offset };
+            Ray remaining { above, toLight / distance, distance - offsetBetween(above, position) };
             if constexpr (!parts.transparency)
                 return remaining.t > 0.0f && isBlocked(remaining) ? glm::vec3(0.0f) : color;
             glm::vec3 left = color;
@@ -192,7 +197,7 @@ namespace {
                 if (!find(remaining, between, t))
                     break;
                 left = lightBehind(left, kdOf(between), between.material->transparency, m_features);
-                const float step = offsetAt(between.point);
+                const float step = offsetBetween(remaining.origin, between.point);
                 remaining.origin = between.point + step * remaining.direction;
                 remaining.t -= t + step;
             }

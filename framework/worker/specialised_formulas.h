@@ -4,11 +4,28 @@
 // What the reference and the provided models compute, for the compiler to put where it is used.
 namespace worker {
 
-// How far a ray starts from the surface that it leaves.
-[[nodiscard]] inline float offsetAt(const glm::vec3& point)
+// The sides of a triangle are met alike often: a jump would be foreseen in half of the cases.
+[[nodiscard]] inline glm::vec3 turnedAgainst(const glm::vec3& direction, const glm::vec3& normal)
 {
-    const glm::vec3 size = glm::abs(point);
-    return 1e-4f * std::max({ 1.0f, size.x, size.y, size.z });
+    return normal * (1.0f - 2.0f * static_cast<float>(glm::dot(normal, direction) > 0.0f));
+}
+
+// Of each coordinate. Not glm::abs, which jumps by signs.
+[[nodiscard]] inline glm::vec3 sizeOf(const glm::vec3& v)
+{
+    return glm::max(v, -v);
+}
+
+// How far a ray keeps from a surface that was calculated from numbers of these sizes.
+[[nodiscard]] inline float offsetOf(const glm::vec3& size)
+{
+    return 0x1p-15f * std::max({ size.x, size.y, size.z });
+}
+
+// The same for a surface between two points.
+[[nodiscard]] inline float offsetBetween(const glm::vec3& from, const glm::vec3& to)
+{
+    return offsetOf(glm::max(sizeOf(from), sizeOf(to)));
 }
 
 // What a surface of this opacity leaves of the light that goes through it.
@@ -25,7 +42,7 @@ namespace worker {
     const Material& material, const glm::vec3& normal, const glm::vec3& toLight, const glm::vec3& toCamera)
 {
     const glm::vec3 mirrored = 2.0f * glm::dot(normal, toLight) * normal - toLight;
-    return std::pow(std::max(glm::dot(mirrored, toCamera), 0.0f), material.shininess);
+    return std::pow(std::clamp(glm::dot(mirrored, toCamera), 0.0f, 1.0f), material.shininess);
 }
 
 [[nodiscard]] inline float blinnLobe(
@@ -33,7 +50,7 @@ namespace worker {
 {
     const glm::vec3 sum = toLight + toCamera;
     const float length = glm::length(sum); // 0 where the camera looks from opposite the light
-    const float cosine = length > 0.0f ? std::max(glm::dot(normal, sum) / length, 0.0f) : 0.0f;
+    const float cosine = length > 0.0f ? std::clamp(glm::dot(normal, sum) / length, 0.0f, 1.0f) : 0.0f;
     return std::pow(cosine, material.shininess);
 }
 

@@ -5,6 +5,7 @@
 #include "shading.h"
 #include "values/needs_of.h"
 #include "worker/library_bvh.h"
+#include "worker/specialised.h"
 #include "world.h"
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
@@ -23,7 +24,7 @@ files::SceneFile smallScene(const std::filesystem::path& path, ShadingModel mode
     features.enableTextureMapping = features.enableNormalInterp = features.enableAccelStructure = true;
     features.shadingModel = model;
     features.numShadowSamples = 2;
-    features.numPixelSamples = 2;
+    features.numPixelSamples = model == ShadingModel::Lambertian ? 1 : 2; // through the centre, or anywhere
     return file;
 }
 
@@ -34,6 +35,14 @@ template <typename Tree> std::vector<glm::vec3> render(files::SceneFile file, bo
     const Tree bvh(file.scene, file.config.features);
     Screen screen(file.config.size);
     renderImage(file.scene, bvh, file.config.features, makeTrackball(file.config), screen);
+    return screen.pixels();
+}
+
+std::vector<glm::vec3> renderBySpecialisedCode(const files::SceneFile& file)
+{
+    const worker::LibraryBVH bvh(file.scene, file.config.features);
+    Screen screen(file.config.size);
+    worker::renderSpecialised(file.scene, bvh, file.config.features, makeTrackball(file.config), screen);
     return screen.pixels();
 }
 
@@ -65,6 +74,7 @@ TEST_CASE("What is skipped changes no bit of any scene, whoever traverses, with 
         CHECK(render<BVH>(file, true, 1) == expected);
         const auto expectedOfLibrary = render<worker::LibraryBVH>(file, false);
         CHECK(render<worker::LibraryBVH>(file, true) == expectedOfLibrary);
+        CHECK(renderBySpecialisedCode(file) == expectedOfLibrary);
     }
 }
 
@@ -102,6 +112,16 @@ TEST_CASE("A part is needed if its feature is on and the scene has some", "[skip
     CHECK(isNeeded(&SceneNeeds::shadows, sceneOf(plain), on));
     CHECK_FALSE(isNeeded(&SceneNeeds::shadows, Scene {}, on));
     CHECK(isNeeded(&SceneNeeds::shadingNormals, sceneOf(plain), on));
+}
+
+TEST_CASE("A list of rays is needed for several samples, and for numbers that are spread over it", "[skipping]")
+{
+    Features features;
+    CHECK_FALSE(isNeeded(&SceneNeeds::pixelRays, Scene {}, features));
+    features.extra.enableOwenSampling = true;
+    CHECK(isNeeded(&SceneNeeds::pixelRays, Scene {}, features));
+    features = { .numPixelSamples = 2 };
+    CHECK(isNeeded(&SceneNeeds::pixelRays, Scene {}, features));
 }
 
 TEST_CASE("Light from behind matters where a model may show it", "[skipping]")

@@ -1,0 +1,19 @@
+#pragma once
+
+// Which functions are the provided ones: the linker leaves the others out, with their marks, where a submission has its
+// own. Of those the address is null.
+namespace provided {
+
+[[gnu::weak]] extern const char shadingMark, lambertianMark, phongMark, blinnPhongMark, pixelRaysMark, raysMark;
+
+[[nodiscard]] inline bool hasOwnModels()
+{
+    return !(&shadingMark && &lambertianMark && &phongMark && &blinnPhongMark);
+}
+
+[[nodiscard]] inline bool hasOwnPixels()
+{
+    return !(&pixelRaysMark && &raysMark);
+}
+
+}
