@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+struct ImGuiWindow;
+
 namespace tests {
 
 // A control of a panel: the labels and places that lead to it, from outside in, as they are given to ImGui.
@@ -24,7 +26,8 @@ struct Control {
     {
     }
 
-    // Fails the test if there is no such panel.
+    // These fail the test if there is no such panel.
+    [[nodiscard]] ImGuiWindow* window() const;
     [[nodiscard]] ImGuiID id() const;
 
     Path path;

@@ -103,12 +103,17 @@ void OpenedWindow::drop(const std::filesystem::path& file)
     drawFrames(2);
 }
 
-ImGuiID Control::id() const
+ImGuiWindow* Control::window() const
 {
-    const ImGuiWindow* const window = ImGui::FindWindowByName(panel.c_str());
+    ImGuiWindow* const window = ImGui::FindWindowByName(panel.c_str());
     INFO(panel);
     REQUIRE(window);
-    ImGuiID id = window->ID;
+    return window;
+}
+
+ImGuiID Control::id() const
+{
+    ImGuiID id = window()->ID;
     for (const auto& step : path)
         if (const auto* const label = std::get_if<std::string>(&step))
             id = ImHashStr(label->c_str(), 0, id);
@@ -119,7 +124,10 @@ ImGuiID Control::id() const
 
 void OpenedWindow::activate(const Control& control)
 {
-    GImGui->NavId = control.id(); // also where it is scrolled out of sight
+    // As if the keyboard had led there: a control that is scrolled out of sight takes part in the frame then. ImGui
+    // wants the window as well, and there is none after a click on the picture.
+    ImGui::FocusWindow(control.window());
+    GImGui->NavId = control.id();
     ImGui::ActivateItem(control.id());
     drawFrames(3); // it is pressed in the next, and what follows from it is shown after that
 }
