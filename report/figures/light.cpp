@@ -12,8 +12,7 @@ namespace {
         const char* name; // of the scene light_<name>, too
         const char* title;
     };
-    constexpr Kind kinds[]
-        = { { "point", "Point light" }, { "segment", "Segment light" }, { "parallelogram", "Parallelogram light" } };
+    constexpr Kind kinds[] = { { "point", "Point" }, { "segment", "Segment" }, { "parallelogram", "Parallelogram" } };
 
     worker::RenderRequest requestOf(const Kind& kind, glm::ivec2 size)
     {
@@ -85,7 +84,7 @@ namespace {
             lines += fmt::format("{0} ${1} using 1:($2 < 0 ? NaN : $2) with lines linetype {2} title \"{1}\", {3}",
                 pictures.empty() ? "plot" : ",", kind.name, pictures.size() + 1,
                 hoverPoints(kind.name, 9, std::string(kind.name) + ", pixel %g: %.2f"));
-            pictures.push_back(toPicture(kind.title, std::move(shadows)));
+            pictures.push_back(toPicture(std::string(kind.title) + " light", std::move(shadows)));
         }
         const Picture reference = toPicture("reference", studio.render(Who::Reference, requestOf(kinds[2], size)));
         const double error = rmse(reference, pictures[2]);
