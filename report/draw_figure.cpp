@@ -4,7 +4,9 @@
 #include "report/program.h"
 #include "submission/digest.h"
 #include "submission/paths.h"
+#include "values/stopwatch.h"
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace report {
 namespace {
@@ -45,11 +47,27 @@ namespace {
             fs::remove(path);
     }
 
+    // Unless the figure tells how long its picture took, how long all took that it asked for.
+    void tellSeconds(std::vector<Fact>& facts, double seconds)
+    {
+        if (std::ranges::find(facts, "seconds", &Fact::name) == facts.end())
+            facts.push_back({ "seconds", fmt::format("{:.2f}", seconds) });
+    }
+
+    Sheet drawIn(Studio& studio, const Figure& figure)
+    {
+        const values::Stopwatch watch;
+        Sheet sheet = figure.draw(studio);
+        if (figure.part != Part::Measurements) // made elsewhere
+            tellSeconds(sheet.facts, watch.seconds());
+        return sheet;
+    }
+
     json draw(const Figure& figure, const Subject& subject, const fs::path& folder)
     {
         Studio studio { subject, figure.section };
         try {
-            json drawn = saveSheet(folder, figure.name, figure.draw(studio));
+            json drawn = saveSheet(folder, figure.name, drawIn(studio, figure));
             drawn["state"] = "drawn";
             drawn["stubs"] = studio.stubs();
             return drawn;
@@ -64,19 +82,20 @@ namespace {
 
 }
 
-json drawFigure(const Figure& figure, const Subject& subject, const fs::path& folder)
+DrawnFigure drawFigure(const Figure& figure, const Subject& subject, const fs::path& folder)
 {
     const fs::path file = folder / (figure.name + ".json");
     const std::string key = keyOf(figure, subject);
     if (json known = knownFigure(file, key); !known.is_null())
-        return known;
+        return { std::move(known), false };
     removeFilesOf(figure, folder);
     json drawn = draw(figure, subject, folder);
     drawn["name"] = figure.name;
     drawn["title"] = figure.title;
+    drawn["part"] = figure.part;
     drawn["key"] = key;
     files::writeText(file, drawn.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
-    return drawn;
+    return { std::move(drawn) };
 }
 
 bool canBeDrawn(const Figure& figure, const Subject& subject)

@@ -104,8 +104,8 @@ json saveSheet(const fs::path& folder, const std::string& name, const Sheet& she
         facts.push_back({ fact.name, fact.value });
     for (const Claim& claim : sheet.claims)
         claims.push_back({ { "text", claim.text }, { "holds", claim.holds } });
-    return { { "columns", sheet.columns }, { "debugging", sheet.isDebugging }, { "panels", panels }, { "facts", facts },
-        { "claims", claims }, { "data", sheet.data } };
+    return { { "columns", sheet.columns }, { "panels", panels }, { "facts", facts }, { "claims", claims },
+        { "data", sheet.data } };
 }
 
 }

@@ -93,7 +93,7 @@ namespace {
         for (const json& panel : figure.at("panels"))
             panels += panelOf(panel, folder);
         return fmt::format(
-            "<div class=\"panels\" style=\"--columns: {}\">{}</div>", figure.at("columns").get<int>(), panels);
+            "<div class=\"panels in-{0}\" style=\"--columns: {0}\">{1}</div>", figure.at("columns").get<int>(), panels);
     }
 
     std::string claimsOf(const json& figure)

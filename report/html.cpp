@@ -65,8 +65,12 @@ std::string inlinePlot(const std::filesystem::path& svg, const std::string& labe
     const std::string prefix = svg.stem().string() + "-";
     replaceAll(plot, "gpPt", prefix + "gpPt");
     replaceAll(plot, "gpDot", prefix + "gpDot");
-    static const std::regex title("<title>Gnuplot</title>|<desc>[^]*?</desc>"), ids(" id=\"(gnuplot_)");
+    static const std::regex title("<title>(Gnuplot|gnuplot_[^<]*)</title>|<desc>[^]*?</desc>"), ids(" id=\"(gnuplot_)");
     plot = std::regex_replace(plot, title, "");
+    // The page's own script shows values; gnuplot's would have to come with each plot.
+    static const std::regex value(
+        R"~(onmousemove="gnuplot_svg\.showHypertext\(evt,'([^"]*)'\)"[^>]*><title> </title>)~");
+    plot = std::regex_replace(plot, value, "class=\"value\" data-value=\"$1\">");
     plot = std::regex_replace(plot, ids, " id=\"" + prefix + "$1");
     static const std::regex ink(R"(rgb\( *27, *35, *48\)|rgb\( *93, *104, *120\)|"black")"); // of plotPrelude
     plot = std::regex_replace(plot, ink, "currentColor");

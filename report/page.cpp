@@ -1,9 +1,9 @@
 #include "report/page.h"
+#include "report/figure.h"
 #include "report/figure_html.h"
 #include "report/html.h"
 #include "report/page_frame.h"
 #include "report/summary.h"
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace report {
@@ -20,18 +20,7 @@ namespace {
         return html;
     }
 
-    // Rays that were followed, plots and tables, rather than pictures of a scene.
-    bool explains(const json& figure)
-    {
-        const json panels = figure.value("panels", json::array());
-        const auto isPicture
-            = [](const json& panel) { return panel.at("kind") == "picture" || panel.at("kind") == "slider"; };
-        const auto isDrawing = [](const json& panel) { return panel.at("kind") == "drawing"; };
-        return figure.value("debugging", false) || std::ranges::any_of(panels, isDrawing)
-            || std::ranges::none_of(panels, isPicture);
-    }
-
-    std::string part(const std::string& title, const std::string& html)
+    std::string headed(const std::string& title, const std::string& html)
     {
         return html.empty() ? html : fmt::format("<h3>{}</h3>\n{}", title, html);
     }
@@ -50,13 +39,13 @@ namespace {
     {
         std::vector<json> drawings, pictures;
         for (const json& figure : content.figures)
-            (explains(figure) ? drawings : pictures).push_back(figure);
+            (figure.at("part") == Part::VisualDebugging ? drawings : pictures).push_back(figure);
         return fmt::format(
             "<section id=\"{0}\">\n<h2>{1}</h2>\n<h3>Description</h3>\n<div class=\"prose\">{2}</div>\n{3}{4}{5}"
             "</section>\n",
             content.section.name, content.section.title, content.text.html,
-            part("Visual debugging", figuresOf(drawings, whole)), part("Rendered images", figuresOf(pictures, whole)),
-            part("Location", locationsOf(content.locations)));
+            headed("Visual debugging", figuresOf(drawings, whole)),
+            headed("Rendered images", figuresOf(pictures, whole)), headed("Location", locationsOf(content.locations)));
     }
 
     std::string navigation(const Content& content)

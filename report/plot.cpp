@@ -4,8 +4,7 @@
 
 namespace report {
 
-// Colours of lines: Okabe and Ito 2008, "Color Universal Design". Viridis: Smith and van der Walt 2015, as nine of its
-// colours, between which gnuplot interpolates.
+// Colours of lines: Okabe and Ito 2008, "Color Universal Design".
 const std::string& plotPrelude()
 {
     static const std::string prelude = R"(reset
@@ -24,8 +23,7 @@ set linetype 5 linecolor rgb "#e69f00" linewidth 2 pointtype 13 pointsize 0.9
 set linetype 6 linecolor rgb "#56b4e9" linewidth 2 pointtype 6 pointsize 0.7
 set linetype 7 linecolor rgb "#7f7f7f" linewidth 2 pointtype 4 pointsize 0.7
 set linetype 8 linecolor rgb "#f0e442" linewidth 2 pointtype 8 pointsize 0.9
-set palette defined (0 "#440154", 1 "#472d7b", 2 "#3b528b", 3 "#2c728e", 4 "#21918c", \
-  5 "#28ae80", 6 "#5ec962", 7 "#addc30", 8 "#fde725")
+set linetype 9 linecolor rgb "#ff000000" pointtype 7 pointsize 1.5
 )";
     return prelude;
 }

@@ -7,7 +7,7 @@
 namespace report {
 
 // Scripts of plots are gnuplot's own commands. Before them stands plotPrelude: fonts, borders, the line styles 1 to 8,
-// which colour-blind readers tell apart (linetype 1 is blue, 2 vermilion, 3 green, ...), and the palette Viridis.
+// which colour-blind readers tell apart (linetype 1 is blue, 2 vermilion, 3 green, ...), and 9, which nobody sees.
 
 // Commands that every script starts with.
 [[nodiscard]] const std::string& plotPrelude();

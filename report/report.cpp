@@ -52,10 +52,11 @@ namespace {
             "found no figure '" + only + "', expected one of these, or a section of them:" + names);
     }
 
-    void tell(const json& figure)
+    void tell(const DrawnFigure& figure)
     {
-        fmt::print("{:<28} {}{}{}\n", figure.at("name").get<std::string>(), figure.at("state").get<std::string>(),
-            figure.contains("message") ? ": " : "", figure.value("message", ""));
+        const json& about = figure.description;
+        fmt::print("{:<28} {}{}{}{}\n", about.at("name").get<std::string>(), about.at("state").get<std::string>(),
+            figure.isNew ? "" : ", unchanged", about.contains("message") ? ": " : "", about.value("message", ""));
         std::fflush(stdout);
     }
 
@@ -64,8 +65,9 @@ namespace {
         std::vector<json> drawn;
         for (const Figure& figure : Figure::all())
             if (isWanted(figure, options.only) && canBeDrawn(figure, subject)) {
-                drawn.push_back(drawFigure(figure, subject, options.output / "figures"));
-                tell(drawn.back());
+                DrawnFigure figureDrawn = drawFigure(figure, subject, options.output / "figures");
+                tell(figureDrawn);
+                drawn.push_back(std::move(figureDrawn.description));
             }
         return drawn;
     }

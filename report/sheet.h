@@ -60,7 +60,6 @@ struct Sheet {
     int columns = 2; // on a page of paper
     std::vector<Fact> facts;
     std::vector<Claim> claims;
-    bool isDebugging = false; // whether its pictures show other things than the scene, such as normals
     nlohmann::json data; // numbers behind the figure, for tests and for who wants to draw it otherwise
 };
 

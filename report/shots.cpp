@@ -3,6 +3,8 @@
 #include "report/pictures.h"
 #include "report/studio.h"
 #include "submission/paths.h"
+#include "worker/load_request.h"
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -50,15 +52,34 @@ Sheet againstReference(Studio& studio, const worker::RenderRequest& request)
     return sheet;
 }
 
-std::vector<Fact> factsOf(const worker::RenderRequest& request, const worker::Rendering& rendering)
+std::string samplesOf(const worker::RenderRequest& request)
+{
+    const auto [scene, config] = worker::load(request);
+    const Features& features = config.features;
+    const bool hasAreaLights = std::ranges::any_of(
+        scene.lights, [](const auto& light) { return !std::holds_alternative<PointLight>(light); });
+    const std::string samples = fmt::format("{} a pixel", features.numPixelSamples);
+    return hasAreaLights ? samples + fmt::format(", {} a light", features.numShadowSamples) : samples;
+}
+
+std::vector<Fact> factsOf(const worker::RenderRequest& request)
 {
     std::vector<Fact> facts {
         { "scene", std::filesystem::path(request.scene).filename().string() },
-        { "size", fmt::format("{} × {}", rendering.size.x, rendering.size.y) },
+        { "size", fmt::format("{} × {}", request.size.x, request.size.y) },
     };
     if (!request.settings.empty())
         facts.push_back({ "settings", fmt::format("{}", fmt::join(request.settings, ", ")) });
-    facts.push_back({ "rays", fmt::format("{}", rendering.numRays) });
+    facts.push_back({ "samples", samplesOf(request) });
+    facts.push_back({ "seed", "0" }); // renderImage's, of which each pixel makes its own
+    return facts;
+}
+
+std::vector<Fact> factsOf(const worker::RenderRequest& request, const worker::Rendering& rendering)
+{
+    std::vector<Fact> facts = factsOf(request);
+    if (rendering.numRays > 0) // they are counted
+        facts.push_back({ "rays", fmt::format("{}", rendering.numRays) });
     facts.push_back({ "seconds", fmt::format("{:.2f}", rendering.seconds) });
     return facts;
 }

@@ -83,7 +83,11 @@ private:
 // One scene by both, the submission's picture over the reference's under a slider, with the facts and the error.
 [[nodiscard]] Sheet againstReference(Studio& studio, const worker::RenderRequest& request);
 
-// Scene, size, settings that were changed, seconds and rays.
+// Scene, size, settings that were changed, samples and seed; of a rendering of it, rays and seconds too.
+[[nodiscard]] std::vector<Fact> factsOf(const worker::RenderRequest& request);
 [[nodiscard]] std::vector<Fact> factsOf(const worker::RenderRequest& request, const worker::Rendering& rendering);
+
+// Such as "1 a pixel, 32 a light"; a point light has but one.
+[[nodiscard]] std::string samplesOf(const worker::RenderRequest& request);
 
 }

@@ -93,7 +93,7 @@ plot $stress using 0:2:xtic(1) with boxes linetype 1, \
     }
 
     const Figure errors("accuracy.error", "What sampling errs, against the truth", drawErrors, { "bench_error.json" });
-    const Figure stress("accuracy.stress", "Stress", drawStress, { "stress.json" });
+    const Figure stress("accuracy.stress", "The largest errors that stress found", drawStress, { "stress.json" });
 
 }
 }

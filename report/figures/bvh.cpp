@@ -148,8 +148,9 @@ namespace {
         return sheet;
     }
 
-    const Figure order("bvh.order", "The boxes of the visited nodes, from yellow to red", drawOrder);
-    const Figure hit("bvh.hit", "The first hit is drawn, the second is not", drawHit);
+    const Figure order(
+        "bvh.order", "The boxes of the visited nodes, from yellow to red", Part::VisualDebugging, drawOrder);
+    const Figure hit("bvh.hit", "The first hit is drawn, the second is not", Part::VisualDebugging, drawHit);
 
 }
 }

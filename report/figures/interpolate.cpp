@@ -99,7 +99,6 @@ namespace {
                                flatEqual, smoothEqual, offUnit),
             smoothEqual < 0.1 * flatEqual && offUnit < 1e-5 } };
         sheet.data = { { "flat", flatEqual }, { "smooth", smoothEqual }, { "off unit", offUnit } };
-        sheet.isDebugging = true;
         return sheet;
     }
 
@@ -148,13 +147,15 @@ namespace {
                                deviation.sum, deviation.outside),
             deviation.sum <= roundings && deviation.outside <= roundings } };
         sheet.data = { { "sum", deviation.sum }, { "outside", deviation.outside } };
-        sheet.isDebugging = true;
         return sheet;
     }
 
-    const Figure onAndOff("interpolation.on_and_off", "Shading before and after interpolation", drawOnAndOff);
-    const Figure normals("interpolation.normals", "Normals as colours, before and after", drawNormals);
-    const Figure barycentric("interpolation.barycentric", "Barycentric coordinates as colours", drawBarycentric);
+    const Figure onAndOff(
+        "interpolation.on_and_off", "Shading before and after interpolation", Part::RenderedImages, drawOnAndOff);
+    const Figure normals(
+        "interpolation.normals", "Normals as colours, before and after", Part::VisualDebugging, drawNormals);
+    const Figure barycentric(
+        "interpolation.barycentric", "Barycentric coordinates as colours", Part::VisualDebugging, drawBarycentric);
 
 }
 }

@@ -12,8 +12,7 @@ namespace {
         const char* name; // of the scene light_<name>, too
         const char* title;
     };
-    constexpr Kind kinds[]
-        = { { "point", "Point light" }, { "segment", "Segment light" }, { "parallelogram", "Parallelogram light" } };
+    constexpr Kind kinds[] = { { "point", "Point" }, { "segment", "Segment" }, { "parallelogram", "Parallelogram" } };
 
     worker::RenderRequest requestOf(const Kind& kind, glm::ivec2 size)
     {
@@ -30,14 +29,13 @@ namespace {
             const std::string title = std::string(kind.title) + ", ";
             const Picture picture = toPicture(title + studio.nameOf(Who::Submission), own);
             const Picture reference = toPicture(title + "reference", studio.render(Who::Reference, request));
-            if (sheet.facts.empty())
-                sheet.facts = { { "samples", "1 a pixel, 32 a light" }, { "seed", "0" } };
-            const std::string numbers = fmt::format("light_{}.toml, {:.2f} s, RMSE against the reference {:.2g}",
-                kind.name, own.seconds, rmse(reference, picture));
+            const std::string numbers = fmt::format("light_{}.toml, {}, {:.2f} s, RMSE against the reference {:.2g}",
+                kind.name, samplesOf(request), own.seconds, rmse(reference, picture));
             sheet.facts.push_back({ kind.title, numbers });
             sheet.panels.emplace_back(Slider { reference, picture });
             sheet.data[kind.name] = rmse(reference, picture);
         }
+        sheet.facts.push_back({ "seed", "0" });
         return sheet;
     }
 
@@ -83,23 +81,27 @@ namespace {
             const auto shares = visibleShares(shadows, studio.render(Who::Submission, request));
             penumbras.push_back(numInPenumbra(shares));
             blocks += dataBlock(kind.name, alongRow(shares, size, row));
-            lines += fmt::format("{} ${} using 1:($2 < 0 ? NaN : $2) with lines linetype {} title \"{}\"",
-                pictures.empty() ? "plot" : ",", kind.name, pictures.size() + 1, kind.name);
-            pictures.push_back(toPicture(kind.title, std::move(shadows)));
+            lines += fmt::format("{0} ${1} using 1:($2 < 0 ? NaN : $2) with lines linetype {2} title \"{1}\", {3}",
+                pictures.empty() ? "plot" : ",", kind.name, pictures.size() + 1,
+                hoverPoints(kind.name, 9, std::string(kind.name) + ", pixel %g: %.2f"));
+            pictures.push_back(toPicture(std::string(kind.title) + " light", std::move(shadows)));
         }
+        const Picture reference = toPicture("reference", studio.render(Who::Reference, requestOf(kinds[2], size)));
+        const double error = rmse(reference, pictures[2]);
         for (Picture& picture : pictures)
             for (int x = 0; x < size.x; x += x % 12 < 6 ? 1 : 7) // the row of the plot, dashed
                 picture.pixels[static_cast<std::size_t>(row * size.x + x)] = glm::vec3(1.0f, 0.85f, 0.2f);
         Sheet sheet;
         sheet.panels = { Slider { pictures[0], pictures[2] },
-            Plot { "What the points of the dashed row see of each light",
+            Plot { "What points see of each light, along the dashed row across the border of the cube's shadow",
                 blocks
                     + "set xlabel \"pixel of the row\"; set ylabel \"visible part of the light\"\n"
-                      "set yrange [-0.03:1.03]; set xrange [0:520]; set key outside top center horizontal\n"
+                      "set yrange [-0.03:1.03]; set xrange [45:130]; set key bottom left\n"
                     + lines,
                 { 520, 390 } } };
         sheet.facts = { { "scenes", "light_point.toml, light_segment.toml, light_parallelogram.toml" },
-            { "samples", "1 a pixel, 32 a light" }, { "seed", "0" } };
+            { "samples", samplesOf(requestOf(kinds[2], size)) }, { "seed", "0" },
+            { "RMSE of the parallelogram's shadow against the reference", fmt::format("{:.2g}", error) } };
         sheet.claims = { { fmt::format("In a shadow's border, where more than 2 % and less than 98 % of the light is "
                                        "visible, lie {} pixels below the point light, {} below the segment, {} below "
                                        "the parallelogram.",
@@ -109,8 +111,9 @@ namespace {
         return sheet;
     }
 
-    const Figure beside("light.kinds", "A point, a segment and a parallelogram light", besideReference);
-    const Figure soft("light.hard_and_soft", "Hard and soft shadows", hardAgainstSoft);
+    const Figure beside(
+        "light.kinds", "A point, a segment and a parallelogram light", Part::RenderedImages, besideReference);
+    const Figure soft("light.hard_and_soft", "Hard and soft shadows", Part::RenderedImages, hardAgainstSoft);
 
 }
 }

@@ -67,7 +67,7 @@ plot {:.4g} / sqrt(x) with lines linetype 7 dashtype 2 title "slope -1/2", \
         const auto own = errorCurve(studio, Who::Submission);
         const bench::Slope slope = bench::fitSlope(own);
         sheet.panels.emplace_back(plotOf(studio, own, errorCurve(studio, Who::Reference)));
-        sheet.facts = { { "scene", "light_parallelogram.toml" },
+        sheet.facts = { { "scene", "light_parallelogram.toml" }, { "samples", "1 a pixel, 1 to 64 a light" },
             { "truth of the pictures", "the reference's, 1024 samples" },
             { "truth of the plot", "clipping and quadrature" }, { "estimates", "2000 a point" }, { "seed", "0" } };
         sheet.claims = { { fmt::format("Four times as many samples halve the noise: its slope is {:.2f} ± {:.2f} on "
@@ -78,7 +78,7 @@ plot {:.4g} / sqrt(x) with lines linetype 7 dashtype 2 title "slope -1/2", \
         return sheet;
     }
 
-    const Figure noise("light.noise", "Samples of a light, and noise", drawNoise);
+    const Figure noise("light.noise", "Samples of a light, and noise", Part::RenderedImages, drawNoise);
 
 }
 }

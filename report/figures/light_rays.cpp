@@ -2,6 +2,7 @@
 #include "debug/projection.h"
 #include "files/scene_file.h"
 #include "report/figure.h"
+#include "report/figures/ray_drawing.h"
 #include "report/studio.h"
 #include <fmt/format.h>
 
@@ -78,8 +79,7 @@ namespace {
             drawFrom(studio, Who::Submission, name + ", from above", above),
             drawFrom(studio, Who::Reference, "reference", front),
             drawFrom(studio, Who::Reference, "reference, from above", above) };
-        sheet.facts = { { "scene", "shadow_rays.toml" }, { "pixel", fmt::format("{}, {}", pixel.x, pixel.y) },
-            { "samples", "1 a pixel, 32 a light" }, { "seed", "1" } };
+        sheet.facts = factsOfRay(requestOf(), pixel);
         sheet.claims = {
             { fmt::format("{} rays reach the light (green), {} are blocked (red); the point has {:.0f} % of "
                           "the brightness that it has without shadows, and {:.0f} % of the rays are green.",
@@ -90,7 +90,8 @@ namespace {
         return sheet;
     }
 
-    const Figure rays("light.shadow_rays", "Shadow rays: green where the light is visible, red where not", drawRays);
+    const Figure rays("light.shadow_rays", "Shadow rays: green where the light is visible, red where not",
+        Part::VisualDebugging, drawRays);
 
 }
 }

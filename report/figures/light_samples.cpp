@@ -62,11 +62,13 @@ plot $samples using 1:2:3 with points pointtype 7 pointsize 0.28 linecolor rgb v
 unset xlabel; unset ylabel; set style fill solid 0.75 noborder; set boxwidth 0.042
 set bmargin at screen 0.79; set tmargin at screen 0.97
 set yrange [0:150]; set ytics (mean); set format x ""
-plot $first using 1:2 with boxes linetype 7 notitle, mean with lines linetype 1 linewidth 1 notitle
+plot $first using 1:2 with boxes linetype 7 notitle, mean with lines linetype 1 linewidth 1 notitle, \
+     $first using 1:2:(sprintf("%g samples", $2)) with labels hypertext point linetype 9 notitle
 set lmargin at screen 0.8; set rmargin at screen 0.98; set bmargin at screen 0.12; set tmargin at screen 0.77
 set xrange [0:150]; set yrange [0:1]; set xtics (mean); set format x "%g"; set ytics 0.25; set format y ""
 set arrow from mean, 0 to mean, 1 nohead linetype 1 linewidth 1 front
-plot $second using ($2 / 2):1:($2 / 2):(0.021) with boxxyerror linetype 7 notitle
+plot $second using ($2 / 2):1:($2 / 2):(0.021) with boxxyerror linetype 7 notitle, \
+     $second using 2:1:(sprintf("%g samples", $2)) with labels hypertext point linetype 9 notitle
 unset multiplot
 )gp",
             { 520, 520 } };
@@ -107,7 +109,8 @@ unset multiplot
         return sheet;
     }
 
-    const Figure samples("light.samples", "Samples of a light: the 1D sampler twice, and the 2D sampler", drawSamples);
+    const Figure samples("light.samples", "Samples of a light: the 1D sampler twice, and the 2D sampler",
+        Part::VisualDebugging, drawSamples);
 
 }
 }

@@ -51,6 +51,7 @@ namespace {
         }
         sheet.facts.push_back({ "alpha of the panes", "1, 0.75, 0.5, 0.25, 0, from left to right" });
         sheet.facts.push_back({ "samples", "1 a pixel" });
+        sheet.facts.push_back({ "seed", "0" });
         if (!isOwn)
             sheet.facts.push_back({ "proposed formula", "the reference's: this code does not ask for it" });
         sheet.data = { { "gaps", gaps }, { "proposed_is_own", isOwn } };
@@ -197,9 +198,9 @@ plot [0:1] kd * (1 - x) with lines linetype 1 title "old: kd (1 - α)", \
         return sheet;
     }
 
-    const Figure rendered(
-        "light.transparent_shadows", "Transparent shadows by the old and the proposed formula", render);
-    const Figure formula("light.formula", "The formulas of transparent shadows, by alpha", plot);
+    const Figure rendered("light.transparent_shadows", "Transparent shadows by the old and the proposed formula",
+        Part::RenderedImages, render);
+    const Figure formula("light.formula", "The formulas of transparent shadows, by alpha", Part::VisualDebugging, plot);
 
 }
 }

@@ -1,7 +1,6 @@
 #include "report/figures/ray_drawing.h"
 #include "report/pictures.h"
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
 namespace report {
@@ -14,13 +13,11 @@ bool isLike(const glm::vec3& color, const glm::vec3& other)
 
 std::vector<Fact> factsOfRay(const worker::RenderRequest& request, glm::ivec2 pixel)
 {
-    std::vector<Fact> facts { { "scene", std::filesystem::path(request.scene).filename().string() },
-        { "size", fmt::format("{} × {}", request.size.x, request.size.y) },
-        { "ray through pixel", fmt::format("{},{}", pixel.x, pixel.y) }, { "seed", "1" } }; // followRay's
+    std::vector<Fact> facts = factsOf(request);
+    facts.push_back({ "ray through pixel", fmt::format("{},{}", pixel.x, pixel.y) });
+    facts.push_back({ "its seed", "1" }); // followRay's
     if (request.orbit != glm::vec2(0.0f))
         facts.push_back({ "orbit", fmt::format("{},{}", request.orbit.x, request.orbit.y) });
-    if (!request.settings.empty())
-        facts.push_back({ "settings", fmt::format("{}", fmt::join(request.settings, ", ")) });
     return facts;
 }
 

@@ -136,9 +136,11 @@ namespace {
         return sheet;
     }
 
-    const Figure onAndOff("reflection.on_and_off", "A scene without and with reflections", drawOnAndOff);
-    const Figure debugRay("reflection.debug", "What the code draws while it follows a ray", drawDebugRay);
-    const Figure depths("reflection.depth", "Depth 0 to 6 between two mirrors", drawDepths);
+    const Figure onAndOff(
+        "reflection.on_and_off", "A scene without and with reflections", Part::RenderedImages, drawOnAndOff);
+    const Figure debugRay(
+        "reflection.debug", "What the code draws while it follows a ray", Part::VisualDebugging, drawDebugRay);
+    const Figure depths("reflection.depth", "Depth 0 to 6 between two mirrors", Part::RenderedImages, drawDepths);
 
 }
 }

@@ -15,27 +15,28 @@ namespace {
         return hit.material.transparency != 1.0f;
     }
 
-    Slider offAndOn(Studio& studio, worker::RenderRequest request)
+    // Adds a scene without and with, and the reference's picture of it.
+    Slider addOffAndOn(Sheet& sheet, Studio& studio, worker::RenderRequest request)
     {
-        Picture on = toPicture(
-            studio.nameOf(Who::Submission) + ", with transparency", studio.render(Who::Submission, request));
+        const worker::Rendering rendering = studio.render(Who::Submission, request);
+        const Picture on = toPicture(studio.nameOf(Who::Submission) + ", with transparency", rendering);
+        const Picture reference = toPicture("reference", studio.render(Who::Reference, request));
+        const std::vector<Fact> facts = factsOf(request, rendering);
+        sheet.facts.insert(sheet.facts.end(), facts.begin(), facts.end());
+        sheet.facts.push_back(errorAgainst(reference, on));
         request.settings = { "transparency=false" };
-        return { toPicture("without", studio.render(Who::Submission, request)), std::move(on) };
+        const Slider slider { toPicture("without", studio.render(Who::Submission, request)), on };
+        sheet.panels.insert(sheet.panels.end(), { slider, reference });
+        return slider;
     }
 
     Sheet drawOnAndOff(Studio& studio)
     {
         const auto panes = sceneNamed("transparency", { 520, 390 });
-        const auto box = sceneNamed("cornell_box_transparency", { 520, 390 });
-        const Slider ofPanes = offAndOn(studio, panes), ofBox = offAndOn(studio, box);
-        const worker::Rendering rendering = studio.render(Who::Reference, panes);
-        const Picture expected = toPicture("reference", rendering);
-        const SeenChange change = seenChange(Stage(panes), ofPanes.before, ofPanes.after, letsThrough);
-
-        Sheet sheet { .panels
-            = { ofPanes, expected, ofBox, toPicture("reference", studio.render(Who::Reference, box)) },
-            .facts = factsOf(panes, rendering) };
-        sheet.facts.push_back(errorAgainst(expected, ofPanes.after));
+        Sheet sheet;
+        const auto [without, with] = addOffAndOn(sheet, studio, panes);
+        addOffAndOn(sheet, studio, sceneNamed("cornell_box_transparency", { 520, 390 }));
+        const SeenChange change = seenChange(Stage(panes), without, with, letsThrough);
         sheet.claims = { claimOf(change, "Panes with alpha below 1") };
         sheet.data = { { "allowed", change.allowed }, { "within", change.within }, { "elsewhere", change.elsewhere } };
         return sheet;
@@ -121,9 +122,10 @@ namespace {
         return sheet;
     }
 
-    const Figure onAndOff("transparency.on_and_off", "Scenes without and with transparency", drawOnAndOff);
-    const Figure debugRay(
-        "transparency.debug", "What the code draws while a ray goes through three panes", drawDebugRay);
+    const Figure onAndOff(
+        "transparency.on_and_off", "Scenes without and with transparency", Part::RenderedImages, drawOnAndOff);
+    const Figure debugRay("transparency.debug", "What the code draws while a ray goes through three panes",
+        Part::VisualDebugging, drawDebugRay);
 
 }
 }

@@ -92,7 +92,7 @@ plot $reference using 1:2 with points linetype 7 pointtype 6 pointsize 1.5 title
         return sheet;
     }
 
-    const Figure grid("multisampling.grid", "Where 25 rays go through a pixel", drawGrid);
+    const Figure grid("multisampling.grid", "Where 25 rays go through a pixel", Part::VisualDebugging, drawGrid);
 
 }
 }

@@ -216,8 +216,10 @@ namespace {
         return sheet;
     }
 
-    const Figure plate("multisampling.zone_plate", "Jittered and unjittered rays on a zone plate", drawZonePlate);
-    const Figure slanted("multisampling.edge", "Jittered and unjittered rays on an edge along the rows", drawEdge);
+    const Figure plate("multisampling.zone_plate", "Jittered and unjittered rays on a zone plate", Part::RenderedImages,
+        drawZonePlate);
+    const Figure slanted(
+        "multisampling.edge", "Jittered and unjittered rays on an edge along the rows", Part::RenderedImages, drawEdge);
 
 }
 }

@@ -94,7 +94,7 @@ plot $uniform using 1:2 with linespoints linetype 1 title "uniform, slope {:.2f}
         return sheet;
     }
 
-    const Figure error("multisampling.error", "Error against rays, and against time", drawError);
+    const Figure error("multisampling.error", "Error against rays, and against time", Part::VisualDebugging, drawError);
 
 }
 }

@@ -89,8 +89,9 @@ namespace {
         const double reference8 = add(Who::Reference, "8 uniform, reference", 8, false);
         add(Who::Reference, "9 uniform, reference", 9, false);
         const double referenceStratified = add(Who::Reference, "8 stratified: 3 × 3, reference", 8, true);
-        sheet.facts = { { "scene", "multisampling.toml" }, { "shown", "absolute difference, four times as bright" },
-            { "ground truth", "144 stratified rays a pixel" }, { "seed", "0" } };
+        sheet.facts = { { "scene", "multisampling.toml" }, { "samples", "8 and 9 a pixel" },
+            { "shown", "absolute difference, four times as bright" }, { "ground truth", "144 stratified rays a pixel" },
+            { "seed", "0" } };
         sheet.claims
             = { { fmt::format("Stratified sampling takes n × n rays, n = round(√8) = 3: 9 rays where 8 are asked "
                               "for. It is not the one ray more: 9 uniform rays err {:.3f}, 8 uniform {:.3f}, "
@@ -102,8 +103,10 @@ namespace {
         return sheet;
     }
 
-    const Figure pictures("multisampling.pictures", "One ray a pixel, 16 uniform and 16 stratified", drawPictures);
-    const Figure differences("multisampling.difference", "Eight rays a pixel, and the ground truth", drawDifferences);
+    const Figure pictures(
+        "multisampling.pictures", "One ray a pixel, 16 uniform and 16 stratified", Part::RenderedImages, drawPictures);
+    const Figure differences(
+        "multisampling.difference", "Eight rays a pixel, and the ground truth", Part::RenderedImages, drawDifferences);
 
 }
 }

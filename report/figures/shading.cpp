@@ -46,6 +46,7 @@ plot $gradient using 1:(-0.3):(0.0052):(0.11):(rgb($2, $3, $4)) \
          every 10 with labels hypertext point pointtype 7 pointsize 0.3 linecolor rgb "#626b78" notitle
 )plot",
             { 720, 300 } } };
+        sheet.facts = { { "samples", "201 angles" }, { "random numbers", "none" } };
         sheet.data = { { "rows", rows } };
         sheet.claims = { { fmt::format("The largest difference to the reference, over 201 angles and all channels, is "
                                        "{:.2g}.",
@@ -54,10 +55,11 @@ plot $gradient using 1:(-0.3):(0.0052):(0.11):(rgb($2, $3, $4)) \
         return sheet;
     }
 
-    const Figure gradient("shading.gradient", "The linear gradient on a sphere and a cube", [](Studio& studio) {
-        return againstReference(studio, sceneNamed("gradient", { 1060, 530 }));
-    });
-    const Figure colorBar("shading.color_bar", "The gradient, sampled", drawBar);
+    const Figure gradient(
+        "shading.gradient", "The linear gradient on a sphere and a cube", Part::RenderedImages, [](Studio& studio) {
+            return againstReference(studio, sceneNamed("gradient", { 1060, 530 }));
+        });
+    const Figure colorBar("shading.color_bar", "The gradient, sampled", Part::VisualDebugging, drawBar);
 
 }
 }

@@ -34,11 +34,13 @@ namespace {
             index, 10 * index, 10 * index + 1, int(c.r), int(c.g), int(c.b), meaning, 10.0 * index + 1.4);
     }
 
-    Plot drawLegend(const Legend& legend)
+    // As the picture shows the colours: in the scene's light.
+    Plot drawLegend(const Legend& legend, float light)
     {
         return { "",
-            swatch(1, legend.phong, "Phong contributes more") + swatch(2, legend.equal, "equal, or no light")
-                + swatch(3, legend.blinnPhong, "Blinn-Phong contributes more") + R"plot(
+            swatch(1, light * legend.phong, "Phong contributes more")
+                + swatch(2, light * legend.equal, "equal, or no light")
+                + swatch(3, light * legend.blinnPhong, "Blinn-Phong contributes more") + R"plot(
 unset border; unset tics; unset key; unset grid; set margins 0, 0, 0, 0; set xrange [9.9:40]; set yrange [-0.1:1.1]
 plot NaN
 )plot",
@@ -80,7 +82,7 @@ plot NaN
         Sheet sheet = againstReference(studio, sceneNamed("gradient_comparison", { 1060, 530 }));
         constexpr float lightColor = 0.8f; // of the scene's light
         const Shares shares = sharesOf(std::get<Slider>(sheet.panels.front()).after, legend, lightColor);
-        sheet.panels.emplace_back(drawLegend(legend));
+        sheet.panels.emplace_back(drawLegend(legend, lightColor));
         sheet.claims
             = { { fmt::format("Blinn-Phong contributes more on {:.0f} % of the surfaces, Phong on {:.1f} %: of one "
                               "shininess, Blinn-Phong's lobe is the wider.",
@@ -93,14 +95,14 @@ plot NaN
     constexpr double incidence = 40.0; // degrees
 
     // What leaves in each direction, of light that comes in from one side.
-
-    std::vector<double> lobe(Studio& studio, ShadingModel model, float shininess, const std::vector<double>& angles)
+    std::vector<double> lobe(
+        Studio& studio, Who who, ShadingModel model, float shininess, const std::vector<double>& angles)
     {
         std::vector<ShadingQuestion> questions;
         for (const double angle : angles)
             questions.push_back({ model, direction(incidence), direction(angle), shininess });
         std::vector<double> values;
-        for (const glm::vec3& color : shade(studio, Who::Submission, questions))
+        for (const glm::vec3& color : shade(studio, who, questions))
             values.push_back(color.x);
         return values;
     }
@@ -121,11 +123,15 @@ plot NaN
         std::vector<std::vector<double>> rows;
         for (const double angle : angles)
             rows.push_back({ angle });
+        double gap = 0.0;
         for (const float shininess : { 10.0f, 40.0f })
             for (const ShadingModel model : { ShadingModel::Phong, ShadingModel::BlinnPhong }) {
-                const std::vector<double> values = lobe(studio, model, shininess, angles);
-                for (std::size_t i = 0; i < rows.size(); ++i)
+                const auto values = lobe(studio, Who::Submission, model, shininess, angles);
+                const auto expected = lobe(studio, Who::Reference, model, shininess, angles);
+                for (std::size_t i = 0; i < rows.size(); ++i) {
                     rows[i].push_back(values[i]);
+                    gap = std::max(gap, std::abs(values[i] - expected[i]));
+                }
             }
         const double widths[] = { widthOf(rows, 1), widthOf(rows, 2) };
         Sheet sheet;
@@ -144,6 +150,8 @@ plot $lobes using 1:2 with lines linetype 1 title "Phong, shininess 10", \
          point linetype 2 pointsize 0.3 notitle
 )plot",
             { 720, 340 } } };
+        sheet.facts = { { "samples", "181 angles" }, { "random numbers", "none" },
+            { "largest difference to the reference", fmt::format("{:.2g}", gap) } };
         sheet.data = { { "rows", rows } };
         // An angle between mirrored ray and view is twice that between normal and halfway vector, in the plane of both.
         sheet.claims
@@ -154,8 +162,8 @@ plot $lobes using 1:2 with lines linetype 1 title "Phong, shininess 10", \
         return sheet;
     }
 
-    const Figure comparison("shading.comparison", "Phong against Blinn-Phong", drawComparison);
-    const Figure lobes("shading.lobes", "The lobes of Phong and Blinn-Phong", drawLobes);
+    const Figure comparison("shading.comparison", "Phong against Blinn-Phong", Part::RenderedImages, drawComparison);
+    const Figure lobes("shading.lobes", "The lobes of Phong and Blinn-Phong", Part::VisualDebugging, drawLobes);
 
 }
 }

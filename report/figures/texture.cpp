@@ -61,6 +61,7 @@ namespace {
         Sheet sheet { .panels = { Slider { nearest, bilinear }, reference, cornerOfCube(studio) },
             .facts = factsOf(request, rendering) };
         sheet.facts.push_back(errorAgainst(reference, bilinear));
+        sheet.facts.push_back({ "the cube", "cube_textured.toml, 1040 × 1040" });
         sheet.claims
             = { { fmt::format("The largest step between neighbouring pixels of the texture is {:.3f} with nearest "
                               "and {:.3f} with bilinear filtering.",
@@ -70,7 +71,8 @@ namespace {
         return sheet;
     }
 
-    const Figure bilinear("texture.bilinear", "Nearest against bilinear filtering, magnified", drawBilinear);
+    const Figure bilinear(
+        "texture.bilinear", "Nearest against bilinear filtering, magnified", Part::RenderedImages, drawBilinear);
 
 }
 }

@@ -92,8 +92,10 @@ namespace {
         return sheet;
     }
 
-    const Figure lookup("texture.lookup", "A hit in texture space, with the texels that took part", drawLookup);
-    const Figure secondary("texture.secondary", "A hit in a mirror, in texture space", drawSecondary);
+    const Figure lookup(
+        "texture.lookup", "A hit in texture space, with the texels that took part", Part::VisualDebugging, drawLookup);
+    const Figure secondary(
+        "texture.secondary", "A hit in a mirror, in texture space", Part::VisualDebugging, drawSecondary);
 
 }
 }

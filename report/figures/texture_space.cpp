@@ -73,7 +73,9 @@ Plot textureSpace(const std::string& label, const worker::TextureLookup& lookup,
             first.x, end.x, first.y, end.y, size.x, size.y);
     for (const debug::Texel& texel : lookup.texels)
         script += outlineOf(texel, place);
-    script += crossAt(place) + "plot $texels using 1:2:(0.5):(0.5):3 with boxxyerror linecolor rgb variable\n";
+    script += crossAt(place) + R"gp(plot $texels using 1:2:(0.5):(0.5):3 with boxxyerror linecolor rgb variable, \
+    $texels using 1:2:(sprintf("texel %d, %d: #%06x", $1, $2, $3)) with labels hypertext point linetype 9
+)gp";
     return { label, script, { 520, 400 } };
 }
 

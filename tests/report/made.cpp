@@ -2,6 +2,8 @@
 #include "files/text.h"
 #include <array>
 #include <catch2/catch.hpp>
+#include <iterator>
+#include <sstream>
 
 namespace report_test {
 
@@ -24,6 +26,24 @@ std::vector<nlohmann::json> figures(const std::string& submission)
         if (entry.path().extension() == ".json")
             all.push_back(nlohmann::json::parse(files::readText(entry.path())));
     return all;
+}
+
+std::string scriptOf(const std::string& figure, int panel)
+{
+    return files::readText(madeReport("reference") / "figures" / (figure + "." + std::to_string(panel) + ".gnuplot"));
+}
+
+std::vector<std::vector<double>> plottedRows(const std::string& figure, int panel, const std::string& block)
+{
+    std::istringstream script(scriptOf(figure, panel));
+    std::string line;
+    while (std::getline(script, line) && line != "$" + block + " << EOD") { }
+    std::vector<std::vector<double>> rows;
+    while (std::getline(script, line) && line != "EOD") {
+        std::istringstream numbers(line);
+        rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
+    }
+    return rows;
 }
 
 std::string run(const std::string& command)

@@ -15,6 +15,13 @@ namespace report_test {
 // All of them.
 [[nodiscard]] std::vector<nlohmann::json> figures(const std::string& submission);
 
+// What gnuplot drew a panel of the reference's figure from; panels count from 1.
+[[nodiscard]] std::string scriptOf(const std::string& figure, int panel);
+
+// The rows of a block of numbers in it.
+[[nodiscard]] std::vector<std::vector<double>> plottedRows(
+    const std::string& figure, int panel, const std::string& block);
+
 // Runs a shell's command and returns what it printed; fails the test if it fails.
 std::string run(const std::string& command);
 

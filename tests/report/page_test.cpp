@@ -2,6 +2,7 @@
 #include "browser/browser.h"
 #include "report/made.h"
 #include "report/section.h"
+#include "report/text.h"
 #include <catch2/catch.hpp>
 
 namespace {
@@ -52,8 +53,9 @@ TEST_CASE("A page complains of nothing, misses no picture and loads nothing else
 
 TEST_CASE("A page has the eight sections in order, each with its four parts", "[report]")
 {
+    const auto submission = GENERATE(std::string("reference"), std::string("student")); // drawn or not
     browser::Browser browser;
-    browser.open(report_test::madeReport("reference") / "index.html");
+    browser.open(report_test::madeReport(submission) / "index.html");
     const json titles = browser.evaluate("[...document.querySelectorAll('section > h2')].map(h => h.textContent)");
     REQUIRE(titles.size() >= report::sections.size());
     CHECK(json(titles.begin(), titles.begin() + report::sections.size()) == titlesOfSections());
@@ -103,9 +105,67 @@ TEST_CASE("A page fits a phone", "[report]")
     CHECK(browser.evaluate("document.documentElement.scrollWidth").get<int>() <= 360);
 }
 
+TEST_CASE("A page is dark where the reader's system is", "[report]")
+{
+    browser::Browser browser;
+    const auto brightness = [&](const char* property) {
+        const json channels = browser.evaluate(
+            std::string("getComputedStyle(document.body).") + property + ".match(/\\d+/g).slice(0, 3).map(Number)");
+        return (channels[0].get<int>() + channels[1].get<int>() + channels[2].get<int>()) / 3;
+    };
+    for (const bool dark : { false, true }) {
+        browser.setView(1280, 900, dark);
+        browser.open(report_test::madeReport("student") / "index.html");
+        INFO(dark);
+        CHECK((brightness("backgroundColor") < brightness("color")) == dark);
+        CHECK(std::abs(brightness("backgroundColor") - brightness("color")) > 150); // of 255: it can be read
+    }
+}
+
 TEST_CASE("Plots show values when pointed at", "[report]")
 {
     browser::Browser browser;
+    browser.setView(1280, 900);
     browser.open(report_test::madeReport("reference") / "index.html");
-    CHECK(browser.evaluate("document.querySelectorAll('[id=\"shading.lobes\"] svg title').length").get<int>() > 20);
+    const json silent = browser.evaluate("[...document.querySelectorAll('.plot svg')].filter(p => "
+                                         "!p.querySelector('.value')).map(p => p.closest('figure').id)");
+    CHECK(silent == json { "shading.comparison" }); // whose legend has none
+
+    const json point = browser.evaluate(
+        "(() => { const p = document.querySelectorAll('[id=\"shading.lobes\"] .value')[8];"
+        "p.scrollIntoView({ block: 'center', behavior: 'instant' }); const b = p.getBoundingClientRect();"
+        "return [b.x + b.width / 2, b.y + b.height / 2, p.dataset.value]; })()");
+    CHECK(browser.evaluate("document.querySelector('.readout').hidden").get<bool>());
+    browser.hover({ point[0].get<double>(), point[1].get<double>() });
+    CHECK_FALSE(browser.evaluate("document.querySelector('.readout').hidden").get<bool>());
+    CHECK(browser.evaluate("document.querySelector('.readout').textContent") == point[2]);
+    CHECK(point[2] == "-50°: Phong 0.858, Blinn-Phong 0.963"); // cos(10°)^10 and cos(5°)^10
+    browser.hover({ 2, 2 });
+    CHECK(browser.evaluate("document.querySelector('.readout').hidden").get<bool>());
+    CHECK(browser.complaints().empty());
+}
+
+TEST_CASE("A page opens with what is missing, and with grade and stress where they are known", "[report]")
+{
+    browser::Browser browser;
+    const auto textOf = [&](const std::string& selector) {
+        return browser.evaluate("[...document.querySelectorAll('" + selector + "')].map(e => e.textContent)");
+    };
+    browser.open(report_test::madeReport("student") / "index.html");
+    std::size_t numQuestions = 0;
+    for (const report::Section& section : report::sections)
+        numQuestions
+            += report::readText(section, report_test::madeReport("student") / "../student/report").questions.size();
+    CHECK(textOf(".open q").size() == numQuestions);
+    CHECK(textOf(".results table").empty());
+
+    browser.open(report_test::madeReport("reference") / "index.html");
+    CHECK(textOf(".open").empty());
+    CHECK(textOf(".grade th") == json { "Grade", "95 / 100" });
+    CHECK(textOf(".grade tbody tr").size() == report::sections.size());
+    CHECK(textOf(".stress tbody tr:first-child td") == json { "all", "3000", "0", "38" });
+    CHECK(browser
+              .evaluate("!!(document.querySelector('.grade').compareDocumentPosition(document.querySelector("
+                        "'section')) & Node.DOCUMENT_POSITION_FOLLOWING)")
+              .get<bool>());
 }

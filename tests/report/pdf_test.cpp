@@ -1,6 +1,7 @@
 // What Poppler finds in the PDF.
 #include "report/made.h"
 #include "report/section.h"
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -20,6 +21,21 @@ TEST_CASE("The PDF's text can be searched and has the sections in order", "[repo
         from = place;
     }
     CHECK(text.find("LinearGradient::sample") != std::string::npos);
+}
+
+TEST_CASE("The PDF opens with its contents", "[report]")
+{
+    std::istringstream first(report_test::run("pdftotext -l 1 '" + pdf() + "' -"));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(first, line);)
+        lines.push_back(line);
+    auto from = std::ranges::find(lines, "Contents");
+    for (const report::Section& section : report::sections) {
+        INFO(section.title);
+        REQUIRE(from != lines.end());
+        from = std::find(from, lines.end(), section.title);
+    }
+    CHECK(from != lines.end());
 }
 
 TEST_CASE("The PDF's pictures have 150 dots an inch or more", "[report]")

@@ -4,6 +4,7 @@
 #include "report/made.h"
 #include "submission/paths.h"
 #include <catch2/catch.hpp>
+#include <map>
 
 namespace fs = std::filesystem;
 
@@ -29,6 +30,24 @@ TEST_CASE("The reference's figures are all drawn, and all that they claim holds"
             INFO(claim.at("text"));
             CHECK(claim.at("holds").get<bool>());
         }
+    }
+}
+
+TEST_CASE("Captions say what figures were made of, how long it took, and what they err or show", "[report]")
+{
+    for (const nlohmann::json& figure : report_test::figures("reference")) {
+        if (figure.at("part") == "measurements")
+            continue;
+        std::map<std::string, std::string> facts;
+        for (const nlohmann::json& fact : figure.at("facts"))
+            facts.emplace(fact[0], fact[1]);
+        INFO(figure.at("name"));
+        CHECK(facts.contains("seconds"));
+        if (facts.contains("scene") && facts["scene"].ends_with(".toml")) {
+            CHECK(facts.contains("samples"));
+            CHECK(facts.contains("seed"));
+        }
+        CHECK((!figure.at("claims").empty() || figure.at("facts").dump().find("RMSE") != std::string::npos));
     }
 }
 

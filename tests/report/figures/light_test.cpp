@@ -1,8 +1,10 @@
 // What the figures of lights and shadows must show.
+#include "files/text.h"
 #include "report/made.h"
 #include "report/statistics.h"
 #include <catch2/catch.hpp>
 #include <random>
+#include <set>
 
 using nlohmann::json;
 using report_test::figure;
@@ -33,8 +35,14 @@ TEST_CASE("Each kind of light is shown by the submission beside the reference, w
 {
     const json drawn = figure("light.kinds");
     REQUIRE(drawn.at("panels").size() == 3);
+    std::set<std::string> pictures;
     for (const char* kind : { "point", "segment", "parallelogram" })
         CHECK(drawn.at("data").at(kind) == 0.0);
+    for (const json& slider : drawn.at("panels"))
+        for (const char* side : { "before", "after" })
+            pictures.insert(files::readText(
+                report_test::madeReport("reference") / "figures" / slider.at(side).at("png").get<std::string>()));
+    CHECK(pictures.size() == 3); // of each kind two that are the same
 }
 
 TEST_CASE("Soft shadows have intermediate values, where hard ones have none", "[report]")
@@ -45,6 +53,13 @@ TEST_CASE("Soft shadows have intermediate values, where hard ones have none", "[
     CHECK(penumbra[0] == 0);
     CHECK(penumbra[1] > 1000);
     CHECK(penumbra[2] > 1000);
+    const auto numBetween = [](const char* kind) {
+        const auto rows = report_test::plottedRows("light.hard_and_soft", 2, kind);
+        return std::ranges::count_if(rows, [](const auto& row) { return row[1] > 0.02 && row[1] < 0.98; });
+    };
+    CHECK(numBetween("point") == 0);
+    CHECK(numBetween("segment") > 20); // pixels of the row
+    CHECK(numBetween("parallelogram") > 20);
 }
 
 TEST_CASE("Four times as many samples of a light halve the noise of a picture", "[report]")
@@ -63,6 +78,18 @@ TEST_CASE("The 1D sampler twice and the 2D sampler give samples that cannot be t
     checkClaims(drawn);
     CHECK(drawn.at("data").at("p") > 0.01);
     CHECK(drawn.at("data").at("number") == json { 2000, 2000 });
+    for (const int panel : { 1, 2 })
+        for (const char* edge : { "first", "second" }) {
+            double number = 0.0, farthest = 0.0;
+            for (const auto& bar : report_test::plottedRows("light.samples", panel, edge)) {
+                number += bar[1];
+                farthest = std::max(farthest, std::abs(bar[1] - 100.0));
+            }
+            CHECK(number == 2000.0);
+            CHECK(farthest < 50.0); // of a twentieth of 2000, whose deviation is 10
+        }
+    CHECK(report_test::plottedRows("light.samples", 1, "samples")
+        != report_test::plottedRows("light.samples", 2, "samples"));
 }
 
 TEST_CASE("The p-value of two sets of points is small if one is clumped, and anything if they are alike", "[report]")
@@ -110,6 +137,14 @@ TEST_CASE("The two formulas of transparent shadows are computed as they are writ
     CHECK(at("proposed", 0.0) == nearly(1.0));
     CHECK(at("proposed", 0.5) == nearly(0.5 + 0.5 * kd));
     CHECK(at("proposed", 1.0) == 0.0); // the exception
+    for (const char* formula : { "old", "proposed" }) {
+        const auto rows = report_test::plottedRows("light.formula", 1, formula);
+        REQUIRE(rows.size() == alphas.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            CHECK(rows[i][0] == nearly(static_cast<double>(alphas[i])));
+            CHECK(rows[i][1] == nearly(data.at(formula).at(i)));
+        }
+    }
     CHECK(data.at("proposed").at(alphas.size() - 2).get<double>() == Approx(kd).margin(0.01)); // just before it
 }
 

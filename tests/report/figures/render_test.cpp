@@ -40,6 +40,9 @@ TEST_CASE("The grid of stratified rays has 25 points, one a cell, and uniform on
         CHECK((point.y >= 0.0f && point.y < 1.0f));
     }
     CHECK(report::countCells(stratified, 5) == std::vector<int>(25, 1));
+    CHECK(report::countCells(pointsOf(report_test::plottedRows("multisampling.grid", 2, "own")), 5)
+        == std::vector<int>(25, 1));
+    CHECK(pointsOf(report_test::plottedRows("multisampling.grid", 1, "own")) == uniform);
     CHECK(report::countCells(uniform, 5) != std::vector<int>(25, 1));
 }
 

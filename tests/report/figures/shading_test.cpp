@@ -1,7 +1,11 @@
 // What the figures of shading must show.
+#include "report/figures/drawn.h"
 #include "report/made.h"
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <set>
 
 using nlohmann::json;
 using report_test::figure;
@@ -19,6 +23,28 @@ TEST_CASE("The colour bar runs from light behind the surface to light in front o
             CHECK(step <= steepest * 0.01 + 1e-5); // rounding
         }
     CHECK(rows.back()[1].get<double>() > rows[100][1].get<double>() + 0.5); // it changes at all
+}
+
+TEST_CASE("A picture of the gradient has the bar's colours, from behind the light to facing it", "[report]")
+{
+    std::vector<glm::vec3> bar;
+    const json colorBar = figure("shading.color_bar");
+    for (const json& row : colorBar.at("data").at("rows"))
+        bar.emplace_back(row[1].get<float>(), row[2].get<float>(), row[3].get<float>());
+    const report::Sheet sheet = report_test::drawn("shading.gradient");
+    const report::Picture& picture = report_test::panelOf<report::Slider>(sheet, 0).after;
+    std::set<std::ptrdiff_t> seen; // of the bar
+    float farthest = 0.0f;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 7) { // some of each row of pixels
+        if (picture.pixels[i] == glm::vec3(0.0f)) // nothing there
+            continue;
+        const auto gap = [&](const glm::vec3& color) { return glm::distance(color, picture.pixels[i]); };
+        const auto nearest = std::ranges::min_element(bar, {}, gap);
+        farthest = std::max(farthest, gap(*nearest));
+        seen.insert(nearest - bar.begin());
+    }
+    CHECK(farthest < 0.015f); // half a step of the bar, where the gradient is steepest: 2.5 a unit of the cosine
+    CHECK(seen.size() > 150); // of 201
 }
 
 TEST_CASE("The lobes are those of Phong and of Blinn and Phong", "[report]")
@@ -45,7 +71,7 @@ TEST_CASE("The comparison shows Blinn-Phong's wider highlights, and nothing of P
     CHECK(data.at("equal").get<double>() > 0.5);
 }
 
-TEST_CASE("Slider, legend, bar and lobes are there as pictures, and plots as vector drawings too", "[report]")
+TEST_CASE("Slider, legend, bar and lobes are there", "[report]")
 {
     const auto kinds = [](const char* name) {
         json list = json::array();
@@ -58,8 +84,22 @@ TEST_CASE("Slider, legend, bar and lobes are there as pictures, and plots as vec
     CHECK(kinds("shading.color_bar") == json { "plot" });
     CHECK(kinds("shading.comparison") == json { "slider", "plot" });
     CHECK(kinds("shading.lobes") == json { "plot" });
+}
+
+TEST_CASE("Every panel but a table is a picture, drawings and plots are vector drawings too", "[report]")
+{
+    const auto isThere = [](const json& file) {
+        return std::filesystem::file_size(report_test::madeReport("reference") / "figures" / file) > 0;
+    };
     for (const json& one : report_test::figures("reference"))
-        for (const json& panel : one.at("panels"))
-            if (panel.contains("svg"))
-                CHECK(std::filesystem::exists(report_test::madeReport("reference") / "figures" / panel.at("svg")));
+        for (const json& panel : one.at("panels")) {
+            INFO(one.at("name"));
+            const std::string kind = panel.at("kind");
+            if (kind == "slider")
+                CHECK((isThere(panel.at("before").at("png")) && isThere(panel.at("after").at("png"))));
+            else if (kind != "table")
+                CHECK(isThere(panel.at("png")));
+            if (kind == "drawing" || kind == "plot")
+                CHECK(isThere(panel.at("svg")));
+        }
 }

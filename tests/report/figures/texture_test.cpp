@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <glm/common.hpp>
 #include <glm/gtx/component_wise.hpp>
+#include <regex>
 
 using namespace report_test;
 using report::Picture;
@@ -20,6 +21,13 @@ float largestStep(const Picture& picture)
             largest = std::max(largest, glm::compMax(glm::abs(picture.pixels[i] - picture.pixels[i - 1])));
     });
     return largest;
+}
+
+// How many texels of a plot are outlined with a weight.
+std::ptrdiff_t weightsIn(const report::Plot& plot)
+{
+    static const std::regex weight("set label '[01]\\.[0-9]{3}'");
+    return std::distance(std::sregex_iterator(plot.script.begin(), plot.script.end(), weight), std::sregex_iterator());
 }
 
 // By the definition of bilinear weights: a texel's is the product of how near its centre is, each way.
@@ -57,6 +65,8 @@ TEST_CASE("A nearest lookup takes the texel that it lies in, a bilinear one the 
     for (int axis = 0; axis < 2; ++axis)
         CHECK(nearest["texels"][0][axis] == std::floor(nearest["place"][axis].get<double>()));
     checkBilinear(sheet.data["bilinear"]);
+    CHECK(weightsIn(panelOf<report::Plot>(sheet, 0)) == 1);
+    CHECK(weightsIn(panelOf<report::Plot>(sheet, 1)) == 4);
     CHECK(sheet.data["bilinear"]["place"] == nearest["place"]);
     CHECK(sheet.data["bilinear"]["bounce"] == 0);
 }
@@ -66,5 +76,6 @@ TEST_CASE("A texture that is seen in a mirror is looked up after the first turn"
     const auto sheet = drawn("texture.secondary");
     CHECK(brokenClaim(sheet) == "");
     CHECK(sheet.data["bounce"] == 1);
+    CHECK(weightsIn(panelOf<report::Plot>(sheet, 1)) == 4);
     checkBilinear(sheet.data);
 }
