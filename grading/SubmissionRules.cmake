@@ -41,7 +41,8 @@ set(probes $<TARGET_OBJECTS:probes>)
 set(stress_probes $<TARGET_OBJECTS:stress_probes>)
 set(libraries "$<TARGET_FILE:framework>;$<TARGET_FILE:TBB::tbb>;$<TARGET_FILE:fmt::fmt>;\
 $<TARGET_FILE:tinyobjloader::tinyobjloader>;$<TARGET_PROPERTY:PkgConfig::stb,INTERFACE_LINK_LIBRARIES>;\
-$<TARGET_PROPERTY:PkgConfig::tomlplusplus,INTERFACE_LINK_LIBRARIES>;-pthread;${OpenMP_CXX_FLAGS}")
+$<TARGET_PROPERTY:PkgConfig::tomlplusplus,INTERFACE_LINK_LIBRARIES>;\
+$<TARGET_PROPERTY:PkgConfig::sodium,INTERFACE_LINK_LIBRARIES>;-pthread;${OpenMP_CXX_FLAGS}")
 add_rule(built "${worker};${probes};${stress_probes};$<TARGET_OBJECTS:reference>;$<TARGET_FILE:framework>")
 add_rule(rest_whole "${worker};${libraries}")
 add_rule(rest_questioned "${worker};${probes};${libraries}")

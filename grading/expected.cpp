@@ -5,7 +5,7 @@ namespace grading {
 
 std::string keyOf(const std::string& probe, const worker::Message& input)
 {
-    return submission::Digest().add(digestOfScenes()).add(probe).add(input.bytes()).hex();
+    return files::Digest().add(digestOfScenes()).add(probe).add(input.bytes()).hex();
 }
 
 }

@@ -1,12 +1,12 @@
 #include "grading/golden_file.h"
+#include "files/digest.h"
 #include "files/error.h"
 #include "grading/sealed_file.h"
-#include "submission/digest.h"
 
 namespace grading {
 
 GoldenFile::GoldenFile(std::filesystem::path file)
-    : m_version(submission::Digest().addFile(file).hex())
+    : m_version(files::Digest().addFile(file).hex())
     , m_file(std::move(file))
 {
     const std::optional<worker::Message> whole = readSealed(m_file);

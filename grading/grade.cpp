@@ -1,4 +1,5 @@
 #include "grading/grade.h"
+#include "files/digest.h"
 #include "grading/check.h"
 #include "grading/exam.h"
 #include "grading/feature.h"
@@ -6,7 +7,6 @@
 #include "grading/observations.h"
 #include "grading/row_store.h"
 #include "grading/scene_folders.h"
-#include "submission/digest.h"
 #include "submission/submission.h"
 #include "values/stopwatch.h"
 #include <algorithm>
@@ -71,7 +71,7 @@ namespace {
     // What a row depends on beside the submission: the checks, the answers that are expected, and the scenes.
     std::string digestOfJudge(const ExpectedAnswers& expected)
     {
-        return submission::Digest().addFile("/proc/self/exe").add(expected.version()).add(digestOfScenes()).hex();
+        return files::Digest().addFile("/proc/self/exe").add(expected.version()).add(digestOfScenes()).hex();
     }
 
     // One submission, built, and what its grading needs to know.
@@ -98,7 +98,7 @@ namespace {
             if (m_part.state == submission::State::Refused)
                 return toRow(check, { Status::Refused, m_part.message });
             const uint64_t seed = m_grading.assignment.secret.seedOf(m_worker.key, check.name);
-            const std::string key = submission::Digest()
+            const std::string key = files::Digest()
                                         .add(m_worker.key)
                                         .add(m_grading.judge)
                                         .add(check.name)
@@ -113,7 +113,7 @@ namespace {
 
         [[nodiscard]] std::optional<Observation> observe(const Feature& feature, const KeptMessages& known) const
         {
-            const std::string key = submission::Digest().add(m_worker.key).add(m_grading.judge).add(feature.name).hex();
+            const std::string key = files::Digest().add(m_worker.key).add(m_grading.judge).add(feature.name).hex();
             return grading::observe(
                 { feature.name, feature.file, m_worker.file, key }, *m_grading.assignment.expected, known);
         }

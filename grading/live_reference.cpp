@@ -18,7 +18,7 @@ namespace {
 LiveReference::LiveReference(fs::path worker, fs::path folder)
     : m_worker(std::move(worker))
     , m_folder(std::move(folder))
-    , m_version(submission::Digest().addFile(m_worker).hex())
+    , m_version(files::Digest().addFile(m_worker).hex())
 {
     fs::create_directories(m_folder);
     submission::prune(m_folder, maxAnswers);
@@ -26,7 +26,7 @@ LiveReference::LiveReference(fs::path worker, fs::path folder)
 
 worker::Message LiveReference::answer(const std::string& probe, const worker::Message& input)
 {
-    const fs::path file = m_folder / submission::Digest().add(m_version).add(keyOf(probe, input)).hex();
+    const fs::path file = m_folder / files::Digest().add(m_version).add(keyOf(probe, input)).hex();
     if (std::optional<worker::Message> kept = readSealed(file)) {
         submission::noteUse(file);
         return std::move(*kept);

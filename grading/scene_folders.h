@@ -1,5 +1,5 @@
 #pragma once
-#include "submission/digest.h"
+#include "files/digest.h"
 #include "submission/paths.h"
 #include <array>
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace grading {
 [[nodiscard]] inline const std::string& digestOfScenes()
 {
     static const std::string digest = [] {
-        submission::Digest all;
+        files::Digest all;
         for (const std::filesystem::path& folder : sceneFolders())
             all.addFolder(folder);
         return all.hex();

@@ -1,6 +1,6 @@
 #include "grading/sealed_file.h"
+#include "files/digest.h"
 #include "grading/unfinished_file.h"
-#include "submission/digest.h"
 #include <fstream>
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@ namespace {
 
     std::string sealOf(std::span<const std::byte> bytes)
     {
-        return submission::Digest().add(bytes).hex();
+        return files::Digest().add(bytes).hex();
     }
 
 }

@@ -1,8 +1,8 @@
 #include "report/draw_figure.h"
+#include "files/digest.h"
 #include "files/text.h"
 #include "report/figure_file.h"
 #include "report/program.h"
-#include "submission/digest.h"
 #include "submission/paths.h"
 #include "values/stopwatch.h"
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace {
     // Of all that a figure is drawn from.
     std::string keyOf(const Figure& figure, const Subject& subject)
     {
-        static const std::string ours = submission::Digest()
+        static const std::string ours = files::Digest()
                                             .addFile("/proc/self/exe")
                                             .addFolder(fs::path(submission::sourceDirectory) / "scenes")
                                             .addFolder(fs::path(submission::sourceDirectory) / "report" / "scenes")
                                             .hex();
-        submission::Digest digest;
+        files::Digest digest;
         digest.add(figure.name).add(ours).add(subject.name).addFile(subject.submission).addFile(subject.reference);
         for (const std::string& result : figure.results)
             digest.addFile(findResult(subject, result));

@@ -1,9 +1,9 @@
 #include "report/markdown.h"
+#include "files/digest.h"
 #include "files/text.h"
 #include "report/html.h"
 #include "report/program.h"
 #include "submission/cache.h"
-#include "submission/digest.h"
 #include <regex>
 
 namespace report {
@@ -53,7 +53,7 @@ namespace {
 
 std::string toHtml(const std::string& markdown, const fs::path& folder)
 {
-    const std::string key = submission::Digest().add("pandoc --wrap=none").add(markdown).hex();
+    const std::string key = files::Digest().add("pandoc --wrap=none").add(markdown).hex();
     const fs::path kept = submission::cached(key, [&](const fs::path& made) { return turn(markdown, made); });
     return withPictures(files::readText(kept / "text.html"), folder);
 }

@@ -1,5 +1,7 @@
 #include "accel/builder.h"
 #include "accel/bounds.h"
+#include "accel/kept_trees.h"
+#include "files/digest.h"
 #include <algorithm>
 #include <array>
 #include <span>
@@ -121,19 +123,26 @@ namespace {
         return best;
     }
 
+    // All of a tree but what its triangles look like.
+    struct Shape {
+        std::vector<Node> nodes;
+        std::vector<uint32_t> order; // of the triangles
+        uint32_t numLevels = 0, numLeaves = 0;
+    };
+
     class Builder {
     public:
-        Builder(std::span<Reference> references, uint32_t leafSize, Tree& tree)
+        Builder(std::span<Reference> references, uint32_t leafSize, Shape& shape)
             : m_references(references)
             , m_leafSize(leafSize)
-            , m_tree(tree)
+            , m_shape(shape)
         {
         }
 
         void build()
         {
-            m_tree.nodes.reserve(m_references.size() + 1);
-            m_tree.nodes.emplace_back();
+            m_shape.nodes.reserve(m_references.size() + 1);
+            m_shape.nodes.emplace_back();
             buildNode(0, 0, static_cast<uint32_t>(m_references.size()), 1);
         }
 
@@ -147,14 +156,14 @@ namespace {
                 bounds = unite(bounds, r.bounds);
                 centroids = unite(centroids, r.centroid());
             }
-            m_tree.nodes[node].aabb = bounds;
+            m_shape.nodes[node].aabb = bounds;
 
             const uint32_t below = splitReferences(references, bounds, centroids, level);
             if (below == 0)
                 return makeLeaf(node, first, count, level);
-            const auto left = static_cast<uint32_t>(m_tree.nodes.size());
-            m_tree.nodes.resize(left + 2); // siblings share a cache line
-            m_tree.nodes[node].data = { left, left + 1 };
+            const auto left = static_cast<uint32_t>(m_shape.nodes.size());
+            m_shape.nodes.resize(left + 2); // siblings share a cache line
+            m_shape.nodes[node].data = { left, left + 1 };
             buildNode(left, first, below, level + 1);
             buildNode(left + 1, first + below, count - below, level + 1);
         }
@@ -181,28 +190,63 @@ namespace {
 
         void makeLeaf(uint32_t node, uint32_t first, uint32_t count, uint32_t level)
         {
-            m_tree.nodes[node].data = { Node::LeafBit | first, count };
-            m_tree.numLevels = std::max(m_tree.numLevels, level);
-            ++m_tree.numLeaves;
+            m_shape.nodes[node].data = { Node::LeafBit | first, count };
+            m_shape.numLevels = std::max(m_shape.numLevels, level);
+            ++m_shape.numLeaves;
         }
 
         std::span<Reference> m_references;
         uint32_t m_leafSize;
-        Tree& m_tree;
+        Shape& m_shape;
     };
+
+    Shape buildShape(const Triangles& triangles, uint32_t leafSize)
+    {
+        std::vector<Reference> references = makeReferences(triangles);
+        Shape shape;
+        Builder(references, leafSize, shape).build();
+        shape.order.reserve(references.size());
+        for (const Reference& reference : references)
+            shape.order.push_back(reference.index);
+        return shape;
+    }
+
+    // To be changed with what a node means, or where the builder puts it.
+    constexpr std::string_view keptVersion = "binary tree 1";
+
+    std::string nameOf(const Scene& scene, uint32_t leafSize)
+    {
+        files::Digest digest;
+        digest.add(keptVersion).add(std::to_string(leafSize));
+        for (const Mesh& mesh : scene.meshes)
+            digest.add(std::as_bytes(std::span(mesh.vertices))).add(std::as_bytes(std::span(mesh.triangles)));
+        return digest.hex();
+    }
+
+    // As it was kept or, built now, will be.
+    Shape shapeKeptIn(const files::KeptArrays& folder, const Scene& scene, uint32_t leafSize)
+    {
+        const std::string name = nameOf(scene, leafSize);
+        Shape shape;
+        if (folder.load(name, shape.nodes, shape.order, shape.numLevels, shape.numLeaves))
+            return shape;
+        shape = buildShape(Triangles(scene), leafSize);
+        folder.save(name, shape.nodes, shape.order, shape.numLevels, shape.numLeaves);
+        return shape;
+    }
 
 }
 
 Tree buildTree(const Scene& scene, uint32_t leafSize)
 {
     const Triangles triangles { scene };
-    std::vector<Reference> references = makeReferences(triangles);
+    const files::KeptArrays* const kept = keptTrees(triangles.size());
+    Shape shape = kept ? shapeKeptIn(*kept, scene, leafSize) : buildShape(triangles, leafSize);
 
-    Tree tree;
-    Builder(references, leafSize, tree).build();
+    Tree tree { std::move(shape.nodes), {}, shape.numLevels, shape.numLeaves };
     tree.primitives.reserve(triangles.size());
-    for (const Reference& r : references)
-        tree.primitives.push_back(triangles[r.index]);
+    for (const uint32_t index : shape.order)
+        tree.primitives.push_back(triangles[index]);
     return tree;
 }
 

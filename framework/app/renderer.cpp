@@ -1,6 +1,7 @@
 #include "app/renderer.h"
 #include "submission/named_folder.h"
 #include "submission/submission.h"
+#include "submission/tree_folder.h"
 #include "values/resident_memory.h"
 #include <fmt/core.h>
 
@@ -17,20 +18,21 @@ namespace {
         return worker;
     }
 
-    worker::Limits limits()
+    worker::Limits limits(const std::string& with)
     {
         worker::Limits limits;
         limits.captureOutput = false;
         limits.answerBytes = std::size_t(16) << 30; // a picture of 32768 x 32768 pixels has 12 GiB
         limits.memoryBytes = values::availableMemory(); // beyond it, asking for more fails, which can be told
         limits.readable = { "/" };
+        limits.treeFolder = submission::treeFolder(submission::namedFolder(with));
         return limits;
     }
 
 }
 
 Renderer::Renderer(const std::string& with)
-    : m_process(build(with), limits())
+    : m_process(build(with), limits(with))
 {
 }
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "files/obj_file.h"
 #include "scene.h"
-#include <filesystem>
 
 namespace files {
 
@@ -15,8 +15,9 @@ class Textures;
 // define: models travel without them, and their shapes can be seen in light grey. A picture that an MTL file names,
 // in contrast, should stand beside it: without it the scene is not the one that was meant.
 void loadObj(const std::filesystem::path& path, Scene& scene);
+void loadObj(const std::filesystem::path& path, Scene& scene, values::Progress& progress);
 
-// The same with textures that the scene shares with other files.
-void loadObj(const std::filesystem::path& path, Scene& scene, Textures& textures);
+// The same of a file that is read already, with textures that the scene shares with other files. Throws Error.
+void addObj(ObjFile file, Scene& scene, Textures& textures);
 
 }

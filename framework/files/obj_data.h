@@ -16,15 +16,27 @@ struct ObjCorner {
     [[nodiscard]] bool operator==(const ObjCorner&) const = default;
 };
 
+using ObjTriangle = std::array<ObjCorner, 3>;
+
+// A face of four corners or more, as triangles that all begin at its first.
+struct ObjFan {
+    std::size_t firstTriangle, numCorners;
+};
+
 // The contents of an OBJ file, its groups put together; triangles in the order of the file.
 struct ObjData {
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec2> texCoords;
-    std::vector<std::array<ObjCorner, 3>> triangles;
+    std::vector<ObjTriangle> triangles;
+    std::vector<ObjFan> fans; // of them
     std::vector<int> materials; // one a triangle, an index into materialNames; -1: none
+    std::vector<std::string> materialNames; // in use, each once
 };
 
-// The file has passed checkObjSyntax. Throws Error.
-[[nodiscard]] ObjData parseObj(const std::filesystem::path& path, const std::vector<std::string>& materialNames);
+// Of a file that does not pass checkObjSyntax, indices may lead nowhere. Throws Error.
+[[nodiscard]] ObjData parseObj(const std::filesystem::path& path);
+
+// Where a number that checkObjSyntax takes for finite overflows within tinyobj, such as 0e999. Throws Error.
+void checkFinite(const std::filesystem::path& path, const ObjData& data);
 
 }

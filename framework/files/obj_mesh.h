@@ -1,6 +1,7 @@
 #pragma once
 #include "files/obj_data.h"
 #include <framework/mesh.h>
+#include <memory_resource>
 #include <unordered_map>
 
 namespace files {
@@ -29,7 +30,8 @@ private:
     const ObjData& m_data;
     const std::vector<glm::vec3>& m_smoothNormals;
     Mesh m_mesh;
-    std::unordered_map<ObjCorner, uint32_t, Hash> m_vertices;
+    std::pmr::unsynchronized_pool_resource m_pool; // the map's many small pieces, side by side
+    std::pmr::unordered_map<ObjCorner, uint32_t, Hash> m_vertices { &m_pool };
 };
 
 }

@@ -18,16 +18,20 @@ namespace {
 
     class Checker {
     public:
-        explicit Checker(const std::filesystem::path& path)
+        Checker(const std::filesystem::path& path, values::Progress& progress)
             : m_path(path)
+            , m_progress(progress)
         {
         }
 
         ObjOutline check(std::string_view text)
         {
+            m_progress.expect(text.size());
             while (!text.empty()) {
                 ++m_line;
+                const std::size_t before = text.size();
                 checkLine(takeLine(text));
+                m_progress.add(before - text.size());
             }
             for (const Kind& kind : m_kinds)
                 if (kind.highestIndex > kind.count) {
@@ -123,6 +127,7 @@ namespace {
         [[noreturn]] void fail(const std::string& message) const { throw Error(m_path, m_line, message); }
 
         const std::filesystem::path& m_path;
+        values::Progress& m_progress;
         int m_line = 0;
         std::array<Kind, 3> m_kinds { // in the order of a corner
             Kind { "v", "positions", 3, 3 }, Kind { "vt", "texture coordinates", 1, 2 }, Kind { "vn", "normals", 3, 3 }
@@ -132,9 +137,9 @@ namespace {
 
 }
 
-ObjOutline checkObjSyntax(const std::filesystem::path& path, std::string_view text)
+ObjOutline checkObjSyntax(const std::filesystem::path& path, std::string_view text, values::Progress& progress)
 {
-    return Checker(path).check(text);
+    return Checker(path, progress).check(text);
 }
 
 }

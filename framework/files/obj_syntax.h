@@ -1,4 +1,5 @@
 #pragma once
+#include "values/progress.h"
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -29,7 +30,8 @@ struct ObjOutline {
 };
 
 // Goes through the lines that we use: all numbers finite, all indices in range, faces of at least three corners.
-// tinyobj checks none of these and names no lines. Throws Error.
-[[nodiscard]] ObjOutline checkObjSyntax(const std::filesystem::path& path, std::string_view text);
+// tinyobj checks none of these and names no lines. A step of the progress is a byte. Throws Error.
+[[nodiscard]] ObjOutline checkObjSyntax(
+    const std::filesystem::path& path, std::string_view text, values::Progress& progress);
 
 }

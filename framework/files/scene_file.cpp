@@ -33,7 +33,7 @@ namespace {
         return { frame.point(sphere.center), frame.length(sphere.radius), sphere.material };
     }
 
-    SceneFile readSceneFile(const std::filesystem::path& path)
+    SceneFile readSceneFile(const std::filesystem::path& path, values::Progress& progress)
     {
         const TomlValue document = loadToml(path);
         TableReader top(path, document);
@@ -41,9 +41,10 @@ namespace {
         file.config = readConfig(top);
         const Frame frame = readFrame(top);
 
-        Textures textures(file.scene);
-        for (TableReader& table : top.readTables("mesh"))
-            readMesh(table, frame, file.scene, textures);
+        std::vector<TableReader> meshes = top.readTables("mesh");
+        MeshSources sources { ObjFiles(namedFiles(meshes), progress), Textures(file.scene) };
+        for (TableReader& table : meshes)
+            readMesh(table, frame, file.scene, sources);
         for (TableReader& table : top.readTables("sphere"))
             file.scene.spheres.push_back(readSphere(table, frame));
         for (TableReader& table : top.readTables("light"))
@@ -53,10 +54,10 @@ namespace {
     }
 
     // The camera of a Config sees all of the unit ball.
-    SceneFile readObjScene(const std::filesystem::path& path)
+    SceneFile readObjScene(const std::filesystem::path& path, values::Progress& progress)
     {
         SceneFile file;
-        loadObj(path, file.scene);
+        loadObj(path, file.scene, progress);
         fitIntoUnitBall(file.scene.meshes);
         // On the side of the default camera, above.
         file.scene.lights.emplace_back(PointLight { { -1.0f, 1.0f, -1.0f }, glm::vec3(1.0f) });
@@ -70,11 +71,17 @@ namespace {
 
 SceneFile loadSceneFile(const std::filesystem::path& path)
 {
+    values::Progress nobodyLooks;
+    return loadSceneFile(path, nobodyLooks);
+}
+
+SceneFile loadSceneFile(const std::filesystem::path& path, values::Progress& progress)
+{
     const std::string extension = lowerExtension(path);
     if (extension == ".toml")
-        return readSceneFile(path);
+        return readSceneFile(path, progress);
     if (extension == ".obj")
-        return readObjScene(path);
+        return readObjScene(path, progress);
     throw Error(path, "found the extension \"" + extension + "\", expected a scene in .toml or a model in .obj");
 }
 

@@ -102,14 +102,14 @@ namespace {
         return *name;
     }
 
-    void appendFile(const TableReader& table, const TomlValue& value, Scene& scene, Textures& textures)
+    void appendFile(const TableReader& table, const TomlValue& value, Scene& scene, MeshSources& sources)
     {
         const auto path = table.path().parent_path() / fileName(table, value);
-        readNamed(table, value.line, [&] { loadObj(path, scene, textures); });
+        readNamed(table, value.line, [&] { addObj(sources.files.take(path), scene, sources.textures); });
     }
 
     // Adds the mesh or, of a file, meshes.
-    void appendGeometry(TableReader& table, Scene& scene, Textures& textures)
+    void appendGeometry(TableReader& table, Scene& scene, MeshSources& sources)
     {
         const TomlValue* file = table.find("file");
         const TomlValue* shape = table.find("shape");
@@ -122,7 +122,7 @@ namespace {
 
         const std::size_t first = scene.meshes.size();
         if (file != nullptr)
-            appendFile(table, *file, scene, textures);
+            appendFile(table, *file, scene, sources);
         else if (shape != nullptr)
             scene.meshes.push_back(makeShape(table, *shape));
         else if (quads != nullptr)
@@ -161,10 +161,20 @@ void readReflectance(TableReader& table, Material& material)
     table.read("transparency", material.transparency, fraction);
 }
 
-void readMesh(TableReader& table, const Frame& frame, Scene& scene, Textures& textures)
+std::vector<std::filesystem::path> namedFiles(std::span<TableReader> tables)
+{
+    std::vector<std::filesystem::path> paths;
+    for (TableReader& table : tables)
+        if (const TomlValue* value = table.find("file"))
+            if (const auto* name = std::get_if<std::string>(&value->content))
+                paths.push_back(table.path().parent_path() / *name);
+    return paths;
+}
+
+void readMesh(TableReader& table, const Frame& frame, Scene& scene, MeshSources& sources)
 {
     const std::size_t first = scene.meshes.size();
-    appendGeometry(table, scene, textures);
+    appendGeometry(table, scene, sources);
     const std::span<Mesh> added = std::span(scene.meshes).subspan(first);
 
     Placement placement;
@@ -173,7 +183,7 @@ void readMesh(TableReader& table, const Frame& frame, Scene& scene, Textures& te
     table.read("scale", placement.scale, positive);
     place(added, placement, frame);
     for (Mesh& mesh : added)
-        readMaterial(table, mesh.material, textures);
+        readMaterial(table, mesh.material, sources.textures);
     table.finish();
 }
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 
 namespace files {
 namespace {
@@ -31,7 +30,19 @@ std::ifstream openToRead(const std::filesystem::path& path)
 std::string readText(const std::filesystem::path& path)
 {
     std::ifstream stream = openToRead(path);
-    return { std::istreambuf_iterator<char>(stream), {} };
+    std::error_code unknown; // of what is no regular file
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    constexpr std::size_t atOnce = 1 << 16;
+    std::string text;
+    text.reserve((unknown ? 0 : size) + atOnce);
+    for (std::size_t got = atOnce; got == atOnce;) {
+        const std::size_t before = text.size();
+        text.resize(before + atOnce);
+        stream.read(text.data() + before, atOnce);
+        got = static_cast<std::size_t>(stream.gcount());
+        text.resize(before + got);
+    }
+    return text;
 }
 
 void writeText(const std::filesystem::path& path, std::string_view text)

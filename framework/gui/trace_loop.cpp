@@ -1,5 +1,6 @@
 #include "gui/trace_loop.h"
 #include "submission/submission.h"
+#include "submission/tree_folder.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -93,6 +94,7 @@ void TraceLoop::startWorker()
     worker::Limits limits;
     limits.captureOutput = true;
     limits.readable = { "/" }; // a scene names its meshes and textures wherever they lie
+    limits.treeFolder = submission::treeFolder(m_folder);
     m_process.emplace(m_program, limits);
     const std::lock_guard lock(m_exchange.mutex);
     if (m_exchange.output)

@@ -105,8 +105,7 @@ const std::string& whyNoBubblewrap()
 
 std::vector<std::string> bubblewrapWords(const View& view, int info, int filter)
 {
-    Words words { bubblewrap().string(), "--unshare-all", "--die-with-parent", "--new-session", "--clearenv",
-        "--setenv", "PATH", "/usr/bin:/bin", "--setenv", "LC_ALL", "C", "--cap-drop", "ALL" };
+    Words words { bubblewrap().string(), "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL" };
     if (info >= 0)
         append(words, { "--info-fd", std::to_string(info) });
     if (filter >= 0)

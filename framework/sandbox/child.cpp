@@ -25,6 +25,9 @@ namespace {
     // Descriptors of the command, or of the Bubblewrap around it.
     enum Descriptor { Socket = 3, Info, Filter, First };
 
+    // Memory in pages of two megabytes where a program takes much of it: a large scene is loaded in half the time.
+    constexpr const char* largePages = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
+
     [[noreturn]] void throwErrno(const char* what)
     {
         throw std::system_error(errno, std::generic_category(), what);
@@ -91,7 +94,7 @@ namespace {
                 || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
                 _exit(127);
         }
-        const char* const environment[] { "PATH=/usr/bin:/bin", "LC_ALL=C", nullptr };
+        const char* const environment[] { "PATH=/usr/bin:/bin", "LC_ALL=C", largePages, nullptr };
         execve(start.words[0], const_cast<char* const*>(start.words.data()), const_cast<char* const*>(environment));
         _exit(127);
     }

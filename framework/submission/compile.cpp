@@ -1,8 +1,8 @@
 #include "submission/compile.h"
+#include "files/digest.h"
 #include "files/text.h"
 #include "submission/build_step.h"
 #include "submission/cache.h"
-#include "submission/digest.h"
 #include "submission/includes.h"
 #include "submission/log.h"
 #include "submission/symbols.h"
@@ -64,7 +64,7 @@ Object compile(const std::string& name, const std::string& text)
     const values::Stopwatch watch;
     const std::string stem = fs::path(name).filename().string();
     Object object;
-    object.key = Digest().add(Toolchain::get().digest).add(name).add(text).hex();
+    object.key = files::Digest().add(Toolchain::get().digest).add(name).add(text).hex();
     const fs::path folder = cached(object.key, [&](const fs::path& made) { return compileIn(made, stem, text); });
     object.file = folder / (stem + ".o");
     object.part = judge(folder, stem);

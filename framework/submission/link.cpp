@@ -1,8 +1,8 @@
 #include "submission/link.h"
+#include "files/digest.h"
 #include "files/text.h"
 #include "submission/build_step.h"
 #include "submission/cache.h"
-#include "submission/digest.h"
 #include "submission/log.h"
 #include "submission/paths.h"
 #include "submission/toolchain.h"
@@ -36,7 +36,7 @@ static bool linkIn(const fs::path& folder, const std::vector<Object>& objects, c
 Program link(const std::vector<Object>& objects, const std::string& rest)
 {
     const values::Stopwatch watch;
-    Digest digest;
+    files::Digest digest;
     digest.add(Toolchain::get().digest).add("link").add(rest).add(Toolchain::get().digestOfRest(rest));
     for (const Object& object : objects)
         digest.add(object.key);

@@ -24,6 +24,26 @@ void prune(const fs::path& folder, std::size_t maxEntries)
     std::for_each(middle, entries.end(), [&](const Entry& entry) { fs::remove_all(entry.path, gone); });
 }
 
+void pruneFiles(const fs::path& folder, std::uintmax_t mostBytes)
+{
+    struct File {
+        fs::path path;
+        fs::file_time_type lastUse;
+        std::uintmax_t numBytes;
+    };
+    std::error_code gone; // as above
+    std::vector<File> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, gone))
+        if (entry.is_regular_file(gone))
+            if (const std::uintmax_t numBytes = entry.file_size(gone); !gone)
+                files.push_back({ entry.path(), entry.last_write_time(gone), numBytes });
+    std::ranges::sort(files, std::ranges::greater(), &File::lastUse);
+    std::uintmax_t sum = 0;
+    for (const File& file : files)
+        if ((sum += file.numBytes) > mostBytes)
+            fs::remove(file.path, gone);
+}
+
 void noteUse(const fs::path& entry)
 {
     std::error_code gone;

@@ -8,6 +8,9 @@ namespace submission {
 // is among them.
 void prune(const std::filesystem::path& folder, std::size_t maxEntries);
 
+// Where the files below a folder have more bytes than that, removes those that were not used for longest.
+void pruneFiles(const std::filesystem::path& folder, std::uintmax_t mostBytes);
+
 // Says that an entry is used now.
 void noteUse(const std::filesystem::path& entry);
 

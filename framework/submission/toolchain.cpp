@@ -1,7 +1,7 @@
 #include "submission/toolchain.h"
+#include "files/digest.h"
 #include "files/error.h"
 #include "sandbox/bubblewrap.h"
-#include "submission/digest.h"
 #include "submission/paths.h"
 #include <algorithm>
 #include <toml++/toml.h>
@@ -50,7 +50,7 @@ namespace {
 
     std::string digestOfOurs()
     {
-        Digest digest;
+        files::Digest digest;
         const fs::path compiler = fs::canonical(words("compile").front());
         digest.add(std::to_string(fs::file_size(compiler)));
         digest.add(std::to_string(fs::last_write_time(compiler).time_since_epoch().count()));
@@ -87,7 +87,7 @@ std::vector<std::string> Toolchain::restOf(const std::string& rest) const
 std::string Toolchain::digestOfRest(const std::string& rest) const
 {
     const std::vector<std::string> known = words("built");
-    Digest rests;
+    files::Digest rests;
     for (const std::string& file : restOf(rest))
         if (file.starts_with(buildDirectory) && std::ranges::find(known, file) == known.end())
             rests.addFile(file);

@@ -37,7 +37,7 @@ namespace {
         std::optional<tbb::global_control> threads;
         if (request.render.numThreads > 0)
             threads.emplace(tbb::global_control::max_allowed_parallelism, request.render.numThreads);
-        const auto [scene, config] = load(request.render);
+        const auto [scene, config] = load(request.render, call.progress);
         checkPixelsAreAlone(config.features.extra);
         BVH bvh { scene, config.features };
         const accel::CountingBVH counting { bvh };

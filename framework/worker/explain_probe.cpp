@@ -41,9 +41,9 @@ namespace {
         explanation.numLookups = numLookups;
     }
 
-    Explanation explain(const RenderRequest& request)
+    Explanation explain(const RenderRequest& request, const std::function<void(float)>& progress)
     {
-        const files::SceneFile file = load(request);
+        const files::SceneFile file = load(request, progress);
         const Features& features = file.config.features;
         Explanation explanation { .skips = features.extra.enableSkipping };
         for (const values::Need& need : values::judgeNeeds(file.scene, features))
@@ -56,7 +56,7 @@ namespace {
     }
 
     const Probe explainProbe(
-        "render.explain", [](Call& call) { call.output << explain(call.input.read<RenderRequest>()); });
+        "render.explain", [](Call& call) { call.output << explain(call.input.read<RenderRequest>(), call.progress); });
 
 }
 }

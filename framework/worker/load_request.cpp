@@ -1,6 +1,8 @@
 #include "worker/load_request.h"
 #include "files/feature_settings.h"
+#include "worker/progress_reporter.h"
 #include <malloc.h>
+#include <optional>
 #include <stdexcept>
 
 namespace worker {
@@ -14,9 +16,18 @@ static void apply(const std::string& setting, Features& features)
     files::setFeature(features, setting.substr(0, equals), setting.substr(equals + 1));
 }
 
-files::SceneFile load(const RenderRequest& request)
+static files::SceneFile loadFile(const RenderRequest& request, const std::function<void(float)>& onProgress)
 {
-    files::SceneFile file = files::loadSceneFile(request.scene);
+    values::Progress progress;
+    std::optional<ProgressReporter> reporter;
+    if (request.wantsProgress && onProgress)
+        reporter.emplace([&] { return progress.fraction(); }, onProgress);
+    return files::loadSceneFile(request.scene, progress);
+}
+
+files::SceneFile load(const RenderRequest& request, const std::function<void(float)>& onProgress)
+{
+    files::SceneFile file = loadFile(request, onProgress);
     malloc_trim(0); // what a large file took while it was read is for the tree
     for (const std::string& setting : request.settings)
         apply(setting, file.config.features);

@@ -1,5 +1,6 @@
-// A process that runs a submission's functions for somebody who does not trust them. It answers requests on one socket
-// until that is closed; nothing else that the submission does matters to the other side.
+// A process that runs a submission's functions for somebody who does not trust them: worker [FOLDER FOR TREES]. It
+// answers requests on one socket until that is closed; nothing else that the submission does matters to the other side.
+#include "accel/kept_trees.h"
 #include "values/unwritten.h"
 #include "worker/frame.h"
 #include "worker/probe.h"
@@ -45,8 +46,10 @@ worker::Frame answer(const worker::Frame& request, const std::function<void(floa
 
 }
 
-int main()
+int main(int argc, char** argv)
 {
+    if (argc > 1)
+        accel::keepTreesIn(argv[1]);
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // of a crash, all lines before it are known
     worker::Frame request;
     while (worker::receiveFrame(worker::socketOfWorker, request, unlimited, never) == worker::Transfer::Done) {

@@ -18,6 +18,10 @@ namespace {
         command.limits = { limits.memoryBytes, limits.outputBytes, limits.cpuTime };
         command.view.readable = limits.readable;
         command.view.readable.push_back(executable);
+        if (!limits.treeFolder.empty()) {
+            command.words.push_back(limits.treeFolder.string());
+            command.view.writable = limits.treeFolder;
+        }
         return command;
     }
 

@@ -20,6 +20,7 @@ struct Limits {
     std::size_t answerBytes = std::size_t(64) << 20; // of one answer
     bool captureOutput = true; // otherwise what it prints goes where ours goes
     std::vector<std::filesystem::path> readable; // files and folders beside its own program; "/" is everything
+    std::filesystem::path treeFolder; // where it may keep trees of large scenes, and believes what it finds; else empty
 };
 
 // How a request can fail. The worker is gone afterwards.

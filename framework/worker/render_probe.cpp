@@ -5,35 +5,14 @@
 #include "worker/load_request.h"
 #include "worker/measure_pixel.h"
 #include "worker/probe.h"
+#include "worker/progress_reporter.h"
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <thread>
 
 namespace worker {
 namespace {
-
-    // Reports the share of rows begun, ten times a second, while it lives.
-    class ProgressReporter {
-    public:
-        ProgressReporter(const Screen& screen, const std::function<void(float)>& report)
-            : m_thread([this, &screen, &report](const std::stop_token& stop) {
-                const auto isStopped = [&] { return stop.stop_requested(); };
-                std::mutex mutex;
-                std::unique_lock lock(mutex);
-                while (!m_wake.wait_for(lock, stop, std::chrono::milliseconds(100), isStopped))
-                    report(static_cast<float>(screen.rowsStarted()) / static_cast<float>(screen.resolution().y));
-            })
-        {
-        }
-
-    private:
-        std::condition_variable_any m_wake;
-        std::jthread m_thread;
-    };
 
     void measureImage(const Scene& scene, const accel::CountingBVH& bvh, const View& view, Screen& screen)
     {
@@ -49,7 +28,7 @@ namespace {
         std::optional<tbb::global_control> threads;
         if (request.numThreads > 0)
             threads.emplace(tbb::global_control::max_allowed_parallelism, request.numThreads);
-        const auto [scene, config] = load(request);
+        const auto [scene, config] = load(request, call.progress);
         BVH bvh { scene, config.features };
         const accel::CountingBVH counting { bvh };
         const Trackball camera = cameraOf(config, request);
@@ -57,7 +36,11 @@ namespace {
 
         std::optional<ProgressReporter> reporter;
         if (request.wantsProgress)
-            reporter.emplace(screen, call.progress);
+            reporter.emplace(
+                [&screen] {
+                    return static_cast<float>(screen.rowsStarted()) / static_cast<float>(screen.resolution().y);
+                },
+                call.progress);
         const accel::RayCounts raysBefore = accel::CountingBVH::rayCounts();
         const auto start = std::chrono::steady_clock::now();
         if (request.quantity == debug::Quantity::Color)

@@ -48,6 +48,38 @@ TEST_CASE("A polygon becomes triangles of the same area", "[files]")
     CHECK(areaOf(scene.meshes[0]) == Approx(1.25)); // the unit square and a triangle of 1/4
 }
 
+TEST_CASE("A concave polygon whose first corner sees all others becomes triangles of the same area", "[files]")
+{
+    const TemporaryFolder folder;
+    const std::string angle = "v -10 7 0\nv -8 7 0\nv -8 8 0\nv -9 8 0\nv -9 9 0\nv -10 9 0\n";
+    const Mesh mesh = loadMesh(folder.write("a.obj", angle + "f 1 2 3 4 5 6\n"));
+    CHECK(mesh.triangles.size() == 4);
+    CHECK(areaOf(mesh) == Approx(3.0)); // of squares
+}
+
+TEST_CASE("A quad is cut along its shorter diagonal, also if a corner comes after it", "[files]")
+{
+    const TemporaryFolder folder;
+    const Mesh mesh = loadMesh(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3 4\nv 3 1 0\nv 0 1 0\n"));
+    REQUIRE(mesh.triangles.size() == 2);
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        std::set<float> x;
+        for (int i = 0; i < 3; ++i)
+            x.insert(mesh.vertices[triangle[i]].position.x);
+        CHECK(x.contains(1.0f)); // of the second corner, an end of the diagonal
+    }
+}
+
+TEST_CASE("Whoever looks on sees the whole file being read", "[files]")
+{
+    const TemporaryFolder folder;
+    values::Progress progress;
+    CHECK(progress.fraction() == 0.0f);
+    Scene scene;
+    files::loadObj(folder.write("a.obj", square + "f 1 2 3\r\n\nf 1 3 4"), scene, progress);
+    CHECK(progress.fraction() == 1.0f);
+}
+
 TEST_CASE("Corners with equal indices share a vertex, others do not", "[files]")
 {
     const TemporaryFolder folder;
@@ -159,7 +191,7 @@ TEST_CASE("A broken OBJ file is refused with its line", "[files]")
         { "overflow", square + "v 0 0 0e999\nf 1 2 3\n",
             "a.obj:5: found a number out of range, expected a finite one" },
         { "concave, others after it",
-            "v -10 7 0\nv -8 7 0\nv -8 8 0\nv -9 8 0\nv -9 9 0\nv -10 9 0\nf 1 2 3 4 5 6\n" + square
+            "v -10 7 0\nv -8 7 0\nv -8 8 0\nv -9 8 0\nv -9 9 0\nv -10 9 0\nf 6 5 4 3 2 1\n" + square
                 + "f 7 8 9\nf 7 8 9\nf 7 8 9\n",
             "a.obj:7: found a face of 6 corners that cannot be triangulated, expected a convex face or triangles" },
         { "concave, reversed", "v -10 7 0\nv -8 7 0\nv -8 8 0\nv -9 8 0\nv -9 9 0\nv -10 9 0\nf 6 5 4 3 2 1\n",

@@ -1,5 +1,5 @@
+#include "files/digest.h"
 #include "graded.h"
-#include "submission/digest.h"
 #include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <cerrno>
@@ -52,7 +52,7 @@ Attack readAttack(const std::string& name)
 // All that a grade is made by.
 std::string digestOfGrader()
 {
-    submission::Digest digest;
+    files::Digest digest;
     for (const char* folder : { "framework", "grading", "reference", "scenes" })
         digest.addFolder(source / folder);
     for (const char* program : { "raywork-grade", "reference-worker" })

@@ -1,9 +1,9 @@
+#include "files/digest.h"
 #include "files/error.h"
 #include "files/temporary_folder.h"
 #include "grading/golden_file.h"
 #include "grading/live_reference.h"
 #include "grading/sealed_file.h"
-#include "submission/digest.h"
 #include "submission/paths.h"
 #include "submission/prune.h"
 #include <atomic>
@@ -141,8 +141,8 @@ fs::path deadWorker(const TemporaryFolder& folder)
 // Puts into the folder what the worker would have answered.
 void keepAnswer(const TemporaryFolder& folder, const Message& question, const std::string& answer)
 {
-    const std::string version = submission::Digest().addFile(folder / "worker").hex();
-    const std::string name = submission::Digest().add(version).add(grading::keyOf(probe, question)).hex();
+    const std::string version = files::Digest().addFile(folder / "worker").hex();
+    const std::string name = files::Digest().add(version).add(grading::keyOf(probe, question)).hex();
     grading::writeSealed(folder / ("answers/" + name), messageOf(answer));
 }
 

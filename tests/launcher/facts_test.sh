@@ -31,6 +31,9 @@ check_help_answers_however_it_is_asked() {
 
 check_help_needs_no_environment() { expect_equal "$(env -i PATH=/usr/bin:/bin ./raywork help)" "$(./raywork help)"; }
 
+# So it answers at once, on a machine with nothing installed.
+check_help_starts_no_program() { expect_equal "$(env -i PATH=/nowhere "$BASH" ./raywork help)" "$(./raywork help)"; }
+
 check_unknown_command_is_one_line_and_exit_2() {
     local code=0 errors
     errors=$(./raywork grdae 2>&1 >/dev/null) || code=$?

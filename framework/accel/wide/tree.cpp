@@ -1,7 +1,12 @@
 #include "accel/wide/tree.h"
 #include "accel/wide/collapse.h"
+#include "files/digest.h"
+#include <algorithm>
 
 namespace accel {
+
+// To be changed with what a node, a block or a building of them means.
+static constexpr std::string_view keptVersion = "wide tree 1";
 
 WideTree::WideTree(std::span<const Triangle> triangles, const wide::Kernel& kernel)
     : m_kernel(kernel)
@@ -16,10 +21,38 @@ WideTree::WideTree(std::span<const Triangle> triangles, const wide::Kernel& kern
             m_view.halfSize[i] = (0.5f * box.upper[i] - 0.5f * box.lower[i]) * (1.0f + 1e-6f); // no less after rounding
         }
     }
+    showArrays();
+}
+
+void WideTree::showArrays()
+{
     m_view.nodes = m_nodes.data();
     m_view.blocks = m_blocks.data();
     m_view.numNodes = static_cast<uint32_t>(m_nodes.size());
     m_view.numBlocks = static_cast<uint32_t>(m_blocks.size());
+}
+
+WideTree WideTree::keptIn(const files::KeptArrays& folder, std::span<const Triangle> triangles)
+{
+    const std::string name = files::Digest().add(keptVersion).add(std::as_bytes(triangles)).hex();
+    if (WideTree tree { {}, wide::bestKernel() }; tree.load(folder, name))
+        return tree;
+    WideTree tree(triangles);
+    tree.save(folder, name);
+    return tree;
+}
+
+bool WideTree::load(const files::KeptArrays& folder, const std::string& name)
+{
+    if (!folder.load(name, m_nodes, m_blocks, m_view.middle, m_view.halfSize))
+        return false;
+    showArrays();
+    return true;
+}
+
+void WideTree::save(const files::KeptArrays& folder, const std::string& name) const
+{
+    folder.save(name, m_nodes, m_blocks, m_view.middle, m_view.halfSize);
 }
 
 std::optional<WideTree::Hit> WideTree::closest(const Ray& ray, wide::Counters& counters) const

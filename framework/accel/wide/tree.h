@@ -2,6 +2,7 @@
 #include "accel/wide/box.h"
 #include "accel/wide/kernels.h"
 #include "accel/wide/large_pages.h"
+#include "files/kept_arrays.h"
 #include <framework/ray.h>
 #include <optional>
 #include <span>
@@ -42,7 +43,16 @@ public:
 
     [[nodiscard]] std::size_t numBytes() const;
 
+    // The tree over these triangles as it was kept or, built now, will be.
+    [[nodiscard]] static WideTree keptIn(const files::KeptArrays& folder, std::span<const Triangle> triangles);
+
+    WideTree(WideTree&&) = default; // what the view shows stays where it is
+
 private:
+    [[nodiscard]] bool load(const files::KeptArrays& folder, const std::string& name);
+    void save(const files::KeptArrays& folder, const std::string& name) const;
+    void showArrays(); // in the view
+
     std::vector<wide::Node, wide::LargePages<wide::Node>> m_nodes;
     std::vector<wide::Block, wide::LargePages<wide::Block>> m_blocks;
     wide::View m_view {};

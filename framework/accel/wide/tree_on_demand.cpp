@@ -1,4 +1,5 @@
 #include "accel/wide/tree_on_demand.h"
+#include "accel/kept_trees.h"
 #include <tbb/task_arena.h>
 
 namespace accel {
@@ -12,7 +13,10 @@ const WideTree* TreeOnDemand::build(std::span<const BVHInterface::Primitive> pri
         for (const auto& [meshID, v0, v1, v2] : primitives)
             triangles.push_back({ v0.position, v1.position, v2.position });
         // Isolated: a thread that waits for its part of the building must not take up a pixel, which would ask again.
-        tbb::this_task_arena::isolate([&] { m_tree = std::make_unique<const WideTree>(triangles); });
+        const files::KeptArrays* const kept = keptTrees(triangles.size());
+        tbb::this_task_arena::isolate([&] {
+            m_tree = std::make_unique<const WideTree>(kept ? WideTree::keptIn(*kept, triangles) : WideTree(triangles));
+        });
         m_built.store(m_tree.get(), std::memory_order_release);
     }
     return m_tree.get();

@@ -1,10 +1,10 @@
-#include "submission/digest.h"
+#include "files/digest.h"
 #include "files/text.h"
 #include <algorithm>
 #include <sodium.h>
 #include <vector>
 
-namespace submission {
+namespace files {
 
 struct Digest::State {
     crypto_generichash_state hash;
@@ -40,7 +40,7 @@ Digest& Digest::add(std::span<const std::byte> bytes)
 
 Digest& Digest::addFile(const std::filesystem::path& path)
 {
-    return add(files::readText(path));
+    return add(readText(path));
 }
 
 Digest& Digest::addFolder(const std::filesystem::path& folder, const std::string& extension)

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace submission {
+namespace files {
 
 // A name for what was added, in this order: equal names mean equal contents. BLAKE2b (RFC 7693) with 160 bits.
 class Digest {
@@ -17,7 +17,7 @@ public:
 
     Digest& add(std::string_view text);
     Digest& add(std::span<const std::byte> bytes);
-    // A file's contents. Throws files::Error when it cannot be read.
+    // A file's contents. Throws Error when it cannot be read.
     Digest& addFile(const std::filesystem::path& path);
     // The names and contents of all files below a folder that end so, or of all.
     Digest& addFolder(const std::filesystem::path& folder, const std::string& extension = "");
