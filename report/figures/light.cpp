@@ -26,9 +26,9 @@ namespace {
         for (const Kind& kind : kinds) {
             const worker::RenderRequest request = requestOf(kind, { 360, 270 });
             const worker::Rendering own = studio.render(Who::Submission, request);
-            const std::string title = std::string(kind.title) + ", ";
-            const Picture picture = toPicture(title + studio.nameOf(Who::Submission), own);
-            const Picture reference = toPicture(title + "reference", studio.render(Who::Reference, request));
+            const Picture picture = toPicture(studio.nameOf(Who::Submission), own);
+            const Picture reference
+                = toPicture(std::string(kind.title) + ", reference", studio.render(Who::Reference, request));
             const std::string numbers = fmt::format("light_{}.toml, {}, {:.2f} s, RMSE against the reference {:.2g}",
                 kind.name, samplesOf(request), own.seconds, rmse(reference, picture));
             sheet.facts.push_back({ kind.title, numbers });
