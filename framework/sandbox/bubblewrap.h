@@ -13,8 +13,8 @@ namespace sandbox {
 // Does without, from now on: then limits and the filter of system calls are all. Before anything is asked or started.
 void turnOffBubblewrap();
 
-// What stands before a command's words. Bubblewrap's environment becomes the command's. It tells on one descriptor which
-// process is the first in the sandbox, and reads a filter of system calls from another (-1: none).
+// What stands before a command's words. Bubblewrap's environment becomes the command's. It tells on one descriptor
+// which process is the first in the sandbox, and reads a filter of system calls from another (-1: none).
 [[nodiscard]] std::vector<std::string> bubblewrapWords(const View& view, int info, int filter);
 
 }
