@@ -99,7 +99,7 @@ namespace {
             const auto own = drawnByFile(m_file, atMost(mostShapes, ray.shapes), hits, recorded);
             std::vector<std::string> lines = inWords({ hits, m_lights, own, hits.size() * m_numLightSamples });
             if (ray.shapes.size() > mostShapes || ray.numDropped > 0)
-                lines.push_back("and more, which is not looked at");
+                lines.emplace_back("and more, which is not looked at");
             return lines;
         }
 

@@ -14,10 +14,10 @@ const LinearGradient gradient { .components = {
                                     { 1.0f, { 1.0f, 0.9f, 0.3f } },
                                 } };
 
-// Red where Phong is brighter, blue where Blinn-Phong is, white where neither.
+// Red where Phong is brighter, blue where Blinn-Phong is, green where neither.
 const LinearGradient comparison { .components = {
                                       { -1.0f, { 0.9f, 0.1f, 0.1f } },
-                                      { 0.0f, { 1.0f, 1.0f, 1.0f } },
+                                      { 0.0f, { 0.1f, 0.7f, 0.1f } },
                                       { 1.0f, { 0.1f, 0.1f, 0.9f } },
                                   } };
 

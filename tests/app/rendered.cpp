@@ -1,6 +1,7 @@
 #include "app/rendered.h"
 #include "submission/paths.h"
 #include <cstdlib>
+#include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 #include <sys/wait.h>
@@ -21,9 +22,9 @@ Outcome render(const std::string& arguments)
 {
     fs::create_directories(work);
     const fs::path errors = work / "errors.txt", output = work / "output.txt";
-    const std::string program = std::string(submission::buildDirectory) + "/framework/raywork-render ";
-    const int status
-        = std::system((program + arguments + " > '" + output.string() + "' 2> '" + errors.string() + "'").c_str());
+    const std::string command = fmt::format("{}/framework/raywork-render {} > '{}' 2> '{}'", submission::buildDirectory,
+        arguments, output.string(), errors.string());
+    const int status = std::system(command.c_str());
     return { WEXITSTATUS(status), bytesOf(errors), bytesOf(output) };
 }
 
