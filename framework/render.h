@@ -7,6 +7,10 @@
 #include <span>
 #include <vector>
 
+namespace accel {
+class ExpectedRays;
+}
+
 // What every function of the renderer can look at, and the random numbers of one pixel.
 struct RenderState {
     const Scene& scene;
@@ -15,6 +19,7 @@ struct RenderState {
 
     Sampler sampler;
     SceneNeeds needs {};
+    accel::ExpectedRays* expected = nullptr; // whose closest hits are asked for next, if that is known
 };
 
 // Provided: renders all pixels, on all cores, with the same result for any number of threads.

@@ -23,13 +23,18 @@ static glm::vec3 hitPoint(const Ray& ray)
     return ray.origin + ray.t * ray.direction;
 }
 
+static float largestCoordinate(const glm::vec3& v)
+{
+    return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
+}
+
 // How far a shadow ray keeps from the surfaces at both of its ends: well above the error of a point that is calculated
 // from these two, well below what can be seen. Roundings are relative to the numbers, whatever the scene's scale: pbrt,
 // "Managing Rounding Error".
 static float shadowOffset(const glm::vec3& from, const glm::vec3& to)
 {
-    const glm::vec3 size = glm::max(glm::max(from, -from), glm::max(to, -to)); // glm::abs would jump by signs
-    return 0x1p-15f * std::max({ size.x, size.y, size.z }); // 512 roundings; there are about a dozen
+    // 512 roundings; there are about a dozen
+    return 0x1p-15f * std::max(largestCoordinate(from), largestCoordinate(to));
 }
 
 // From just above the shaded point to just before the light, direction unit.
@@ -71,11 +76,11 @@ glm::vec3 visibilityOfLightSampleTransparency(RenderState& state, const glm::vec
 {
     if (!state.features.enableShadows)
         return lightColor;
-    const auto formula = state.features.extra.enableProposedShadowFormula ? lightBehindProposed : lightBehind;
-    glm::vec3 light = lightColor;
     Ray remaining = shadowRay(lightPosition, ray, hitInfo);
     if (!state.needs.shadowsInOrder) // whatever lies between is opaque
         return remaining.t > 0.0f && state.bvh.isOccluded(state, remaining) ? glm::vec3(0.0f) : lightColor;
+    const auto formula = state.features.extra.enableProposedShadowFormula ? lightBehindProposed : lightBehind;
+    glm::vec3 light = lightColor;
     while (remaining.t > 0.0f && light != glm::vec3(0.0f)) {
         Ray toSurface = remaining;
         HitInfo surface;

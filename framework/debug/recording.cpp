@@ -1,4 +1,5 @@
 #include "debug/recording.h"
+#include "draw.h"
 
 namespace debug {
 
@@ -7,11 +8,13 @@ Recording::Recording(std::size_t capacity)
     , m_outer(s_innermost)
 {
     s_innermost = this;
+    ++drawing::numListeners;
 }
 
 Recording::~Recording()
 {
     s_innermost = m_outer;
+    --drawing::numListeners;
 }
 
 template <typename Thing> void Recording::keep(std::vector<Thing>& things, const Thing& thing)

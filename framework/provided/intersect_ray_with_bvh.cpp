@@ -1,3 +1,4 @@
+#include "accel/expected_rays.h"
 #include "accel/traversal.h"
 #include "accel/wide/tree.h"
 #include "bvh.h"
@@ -40,10 +41,18 @@ bool intersectBinaryTree(const RenderState& state, const BVHInterface& bvh, Ray&
     return true;
 }
 
+std::optional<accel::WideTree::Hit> findClosest(
+    const RenderState& state, const accel::WideTree& tree, const BVHInterface& bvh, const Ray& ray)
+{
+    if (state.expected && state.expected->isNext(ray))
+        return state.expected->takeNext(tree, bvh.primitives());
+    return tree.closest(ray);
+}
+
 bool intersectWideTree(
     const RenderState& state, const accel::WideTree& tree, const BVHInterface& bvh, Ray& ray, HitInfo& hitInfo)
 {
-    const auto hit = tree.closest(ray);
+    const auto hit = findClosest(state, tree, bvh, ray);
     if (!hit)
         return false;
     ray.t = hit->t;

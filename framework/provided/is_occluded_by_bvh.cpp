@@ -1,7 +1,7 @@
+#include "accel/sphere_test.h"
 #include "accel/traversal.h"
 #include "accel/wide/tree.h"
 #include "bvh.h"
-#include "intersect.h"
 #include "scene.h"
 
 static bool isOccludedByTriangle(const BVHInterface& bvh, const Ray& ray)
@@ -15,11 +15,10 @@ static bool isOccludedByTriangle(const BVHInterface& bvh, const Ray& ray)
 
 static bool isOccludedBySphere(const Scene& scene, const Ray& ray)
 {
-    return std::ranges::any_of(scene.spheres, [&](const Sphere& sphere) {
-        Ray shortened = ray;
-        HitInfo unused;
-        return intersectRayWithShape(sphere, shortened, unused);
-    });
+    for (const Sphere& sphere : scene.spheres)
+        if (accel::meets(sphere, ray))
+            return true;
+    return false;
 }
 
 bool isOccludedByBVH(RenderState& state, const BVHInterface& bvh, const Ray& ray)

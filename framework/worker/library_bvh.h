@@ -6,7 +6,7 @@
 namespace worker {
 
 // The library traverses, whatever the submission would do.
-class LibraryBVH : public BVH {
+class LibraryBVH final : public BVH {
 public:
     using BVH::BVH;
 

@@ -1,4 +1,5 @@
 #include "worker/specialised.h"
+#include "accel/sphere_test.h"
 #include "accel/wide/tree.h"
 #include "bvh.h"
 #include "intersect.h"
@@ -72,7 +73,7 @@ namespace {
             if (depth >= m_features.extra.maxDepth)
                 return color;
             const Material& material = *surface.material;
-            const glm::vec3 lifted = offsetOf(sizeOf(ray.origin) + sizeOf(surface.way)) * surface.normal;
+            const glm::vec3 lifted = offsetOfSum(ray.origin, surface.way) * surface.normal;
             if constexpr (parts.mirrors) {
                 if (material.ks != glm::vec3(0.0f)) {
                     const glm::vec3 mirrored
@@ -209,12 +210,9 @@ namespace {
             if (m_tree.occluded(ray))
                 return true;
             if constexpr (parts.spheres) {
-                for (const Sphere& sphere : m_scene.spheres) {
-                    Ray shortened = ray;
-                    HitInfo unused;
-                    if (intersectRayWithShape(sphere, shortened, unused))
+                for (const Sphere& sphere : m_scene.spheres)
+                    if (accel::meets(sphere, ray))
                         return true;
-                }
             }
             return false;
         }

@@ -10,22 +10,22 @@ namespace worker {
     return normal * (1.0f - 2.0f * static_cast<float>(glm::dot(normal, direction) > 0.0f));
 }
 
-// Of each coordinate. Not glm::abs, which jumps by signs.
-[[nodiscard]] inline glm::vec3 sizeOf(const glm::vec3& v)
+[[nodiscard]] inline float largestCoordinate(const glm::vec3& v)
 {
-    return glm::max(v, -v);
+    return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
 
-// How far a ray keeps from a surface that was calculated from numbers of these sizes.
-[[nodiscard]] inline float offsetOf(const glm::vec3& size)
-{
-    return 0x1p-15f * std::max({ size.x, size.y, size.z });
-}
-
-// The same for a surface between two points.
+// How far a ray keeps from a surface that was calculated from points of these sizes.
 [[nodiscard]] inline float offsetBetween(const glm::vec3& from, const glm::vec3& to)
 {
-    return offsetOf(glm::max(sizeOf(from), sizeOf(to)));
+    return 0x1p-15f * std::max(largestCoordinate(from), largestCoordinate(to));
+}
+
+// The same of a surface that was calculated as their sum.
+[[nodiscard]] inline float offsetOfSum(const glm::vec3& from, const glm::vec3& way)
+{
+    const glm::vec3 size = glm::max(from, -from) + glm::max(way, -way); // glm::abs would jump by signs
+    return 0x1p-15f * largestCoordinate(size);
 }
 
 // What a surface of this opacity leaves of the light that goes through it.

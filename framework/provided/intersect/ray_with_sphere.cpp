@@ -1,32 +1,9 @@
+#include "accel/sphere_test.h"
 #include "intersect.h"
-
-namespace {
-
-// The first root of |origin + t * direction - center| = radius in [0, tMax], negative if none. The point of the line
-// closest to the centre is found first, so that a small or far sphere loses no digits to the square of its distance.
-// Haines, Guenther, Akenine-Moller 2019, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 7.
-float firstRoot(const Sphere& sphere, const Ray& ray)
-{
-    const glm::vec3 f = ray.origin - sphere.center;
-    const float a = glm::dot(ray.direction, ray.direction);
-    const float b = -glm::dot(f, ray.direction);
-    const glm::vec3 closest = f + (b / a) * ray.direction;
-    const float discriminant = sphere.radius * sphere.radius - glm::dot(closest, closest);
-    if (!(discriminant >= 0.0f))
-        return -1.0f;
-    const float c = glm::dot(f, f) - sphere.radius * sphere.radius;
-    const float q = b + std::copysign(std::sqrt(a * discriminant), b);
-    const float t0 = q == 0.0f ? 0.0f : c / q; // q cancels nothing; the other root follows from the product
-    const float t1 = q / a;
-    const float near = std::min(t0, t1);
-    return near >= 0.0f ? near : std::max(t0, t1);
-}
-
-}
 
 bool intersectRayWithShape(const Sphere& sphere, Ray& ray, HitInfo& hitInfo)
 {
-    const float t = firstRoot(sphere, ray);
+    const float t = accel::firstDistance(sphere, ray);
     if (!(t >= 0.0f && t <= ray.t))
         return false;
     ray.t = t;
