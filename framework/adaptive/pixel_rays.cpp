@@ -1,4 +1,5 @@
 #include "adaptive/pixel_rays.h"
+#include "accel/expected_rays.h"
 #include "recursive.h"
 #include "render.h"
 #include "values/even_numbers.h"
@@ -45,6 +46,9 @@ glm::dvec3 PixelRays::meanOfFew(const Features& features, std::size_t pixel, uin
 {
     values::EvenNumbers even(m_seed + static_cast<uint32_t>(pixel), values::EvenNumbers::Method::Owen, firstRay);
     RenderState state { m_scene, features, m_bvh, Sampler(even), m_needs };
+    accel::ExpectedRays expected;
+    if (features.extra.enableSkipping)
+        state.expected = &expected;
     const auto width = static_cast<std::size_t>(m_size.x);
     const glm::ivec2 place(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
     return glm::dvec3(renderRays(state, generatePixelRays(state, m_camera, place, m_size)));
