@@ -43,7 +43,7 @@ check_unknown_command_is_one_line_and_exit_2() {
 }
 
 check_vcpkg_names_every_library() {
-    local programs='[$]{CXX:-g++}|cmake|ninja|pkg-config|clang-format|chromium|gnuplot|pandoc|pdfinfo|git|bwrap|math-font|Xvfb|xdotool|imgui|libseccomp' # or Linux's own
+    local programs='[$]{CXX:-g++}|cmake|ninja|pkg-config|clang-format|chromium|gnuplot|pandoc|pdftotext|git|bwrap|math-font|Xvfb|xdotool|imgui|libseccomp' # or Linux's own
     expect_equal "$(cmake -P tests/launcher/ports.cmake 2>&1 | sort)" \
         "$(table | awk '{ print $1 }' | grep -vxE "${programs//+/[+]}" | sort)"
 }
