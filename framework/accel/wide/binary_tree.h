@@ -1,8 +1,6 @@
 #pragma once
-#include "accel/wide/box.h"
-#include "accel/wide/large_pages.h"
 #include "accel/wide/node.h"
-#include <span>
+#include "accel/wide/splitter.h"
 
 namespace accel::wide {
 
@@ -19,13 +17,8 @@ struct BinaryNode {
 };
 static_assert(sizeof(BinaryNode) == 64);
 
-struct BinaryTree {
-    LargeArray<BinaryNode> nodes; // the root first; not all are in use; none if there is nothing to meet
-    LargeArray<Reference> references; // likewise
-};
-
-// A tree by the surface area heuristic over triangles, cut in space where that pays. The same for any number of
-// threads. Those with a coordinate that is not finite are left out.
-[[nodiscard]] BinaryTree buildBinaryTree(std::span<const Triangle> triangles);
+// A tree over the subtree's references, its root the first of the nodes: there must be room for twice the subtree's
+// capacity. Large subtrees take all threads.
+void buildBinaryTree(const Splitter& splitter, const Subtree& subtree, std::span<BinaryNode> nodes);
 
 }

@@ -3,8 +3,8 @@
 
 namespace accel::wide {
 
-ObjectBins::ObjectBins(std::span<const Reference> references, const Box& centroids)
-    : m_numBins(static_cast<int>(std::min<std::size_t>(maxBins, 4 + references.size() / 2))) // few need few
+ObjectBins::ObjectBins(const Box& centroids, std::size_t numReferences)
+    : m_numBins(static_cast<int>(std::min<std::size_t>(maxBins, 4 + numReferences / 2))) // few need few
     , m_origin(centroids.lower)
 {
     const Float4 extent = centroids.upper - centroids.lower;
@@ -15,11 +15,25 @@ ObjectBins::ObjectBins(std::span<const Reference> references, const Box& centroi
         std::fill_n(m_boxes[axis], m_numBins, Box::empty());
         std::fill_n(m_counts[axis], m_numBins, 0u);
     }
+}
+
+void ObjectBins::add(std::span<const Reference> references)
+{
     for (const Reference& reference : references) {
         const Int4 bin = binOf(reference.doubledCentroid());
         for (int axis = 0; axis < 3; ++axis) {
             m_boxes[axis][bin[axis]].add(reference.box);
             ++m_counts[axis][bin[axis]];
+        }
+    }
+}
+
+void ObjectBins::add(const ObjectBins& other)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i < m_numBins; ++i) {
+            m_boxes[axis][i].add(other.m_boxes[axis][i]);
+            m_counts[axis][i] += other.m_counts[axis][i];
         }
     }
 }

@@ -15,8 +15,10 @@ struct ObjectSplit {
 
 class ObjectBins {
 public:
-    // centroids: the box of all doubled centroids.
-    ObjectBins(std::span<const Reference> references, const Box& centroids);
+    // centroids: the box of all doubled centroids of so many references, which are yet to be added.
+    ObjectBins(const Box& centroids, std::size_t numReferences);
+    void add(std::span<const Reference> references);
+    void add(const ObjectBins& other); // of the same box
 
     [[nodiscard]] ObjectSplit best() const;
     [[nodiscard]] bool isBelow(const Reference& reference, const ObjectSplit& split) const

@@ -1,118 +1,153 @@
 #include "accel/wide/spatial_split.h"
+#include "accel/wide/in_parts.h"
 #include <algorithm>
 
 namespace accel::wide {
 namespace {
 
-    constexpr std::size_t maxBins = 16;
+    constexpr uint32_t maxBins = 16;
 
     // Few references show few places to cut.
-    std::size_t binsFor(std::size_t numReferences)
+    int binsFor(uint32_t numReferences)
     {
-        return std::min(maxBins, 4 + numReferences / 8);
+        return static_cast<int>(std::min(maxBins, 4 + numReferences / 8));
     }
 
     class SpatialBins {
     public:
-        SpatialBins(const Box& bounds, int axis, std::size_t numBins)
-            : m_axis(axis)
-            , m_numBins(numBins)
-            , m_origin(bounds.lower[axis])
-            , m_size((bounds.upper[axis] - bounds.lower[axis]) / static_cast<float>(numBins))
+        SpatialBins(const Box& bounds, uint32_t numReferences)
+            : m_numReferences(numReferences)
+            , m_numBins(binsFor(numReferences))
+            , m_origin(bounds.lower)
+            , m_size((bounds.upper - bounds.lower) / static_cast<float>(m_numBins))
         {
-            m_boxes.fill(Box::empty());
+            m_origin[3] = m_size[3] = 1.0f; // nobody looks there, but numbers too small to be normal take long
+            for (int axis = 0; axis < 4; ++axis)
+                m_scale[axis] = m_size[axis] > 1e-30f ? 1.0f / m_size[axis] : 0.0f;
+            for (auto& boxes : m_boxes)
+                std::fill_n(boxes, m_numBins, Box::empty());
         }
 
-        void add(const Reference& reference, const Triangle& triangle)
+        void add(const SpatialBins& other)
         {
-            const std::size_t first = binOf(reference.box.lower[m_axis]);
-            const std::size_t last = std::max(first, binOf(reference.box.upper[m_axis]));
-            ++m_begin[first];
-            ++m_end[last];
-            if (first == last)
-                m_boxes[first].add(reference.box);
-            else
-                addParts(reference.box, triangle, first, last);
-        }
-
-        void search(std::size_t numReferences, uint32_t maxCut, SpatialSplit& best) const
-        {
-            std::array<Box, maxBins> above;
-            above[m_numBins - 1] = m_boxes[m_numBins - 1];
-            for (std::size_t i = m_numBins - 1; i-- > 0;)
-                above[i] = unite(m_boxes[i], above[i + 1]);
-
-            Box box = Box::empty();
-            uint32_t numBelow = 0, numAbove = static_cast<uint32_t>(numReferences);
-            for (std::size_t i = 1; i < m_numBins; ++i) {
-                box.add(m_boxes[i - 1]);
-                numBelow += m_begin[i - 1];
-                numAbove -= m_end[i - 1];
-                const uint32_t numCut = numBelow + numAbove - static_cast<uint32_t>(numReferences);
-                const float cost = box.halfArea() * static_cast<float>(numBelow)
-                    + above[i].halfArea() * static_cast<float>(numAbove);
-                if (cost < best.cost && numCut <= maxCut && numBelow > 0 && numAbove > 0)
-                    best = { cost, m_axis, plane(i), numCut };
+            for (int axis = 0; axis < 3; ++axis) {
+                for (int i = 0; i < m_numBins; ++i) {
+                    m_boxes[axis][i].add(other.m_boxes[axis][i]);
+                    m_begin[axis][i] += other.m_begin[axis][i];
+                    m_end[axis][i] += other.m_end[axis][i];
+                }
             }
         }
 
+        void add(const Reference& reference, const Triangles& triangles)
+        {
+            const Int4 first = binOf(reference.box.lower), last = binOf(reference.box.upper);
+            bool isWhole[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                ++m_begin[axis][first[axis]];
+                ++m_end[axis][last[axis]];
+                isWhole[axis] = first[axis] == last[axis];
+                if (isWhole[axis])
+                    m_boxes[axis][first[axis]].add(reference.box);
+            }
+            if (isWhole[0] && isWhole[1] && isWhole[2])
+                return;
+            const Triangle triangle = triangles[reference.primitive()];
+            for (int axis = 0; axis < 3; ++axis)
+                if (!isWhole[axis])
+                    addParts(reference.box, triangle, axis, first[axis], last[axis]);
+        }
+
+        [[nodiscard]] SpatialSplit best(uint32_t maxCut) const
+        {
+            SpatialSplit best;
+            for (int axis = 0; axis < 3; ++axis)
+                if (m_scale[axis] > 0.0f)
+                    search(axis, maxCut, best);
+            return best;
+        }
+
     private:
+        using Int4 = int __attribute__((vector_size(16)));
+
         // What of the triangle lies in each of these bins: its corners, and where its edges cross the planes between.
         // But for rounding, which an estimate does not mind.
-        void addParts(const Box& box, const Triangle& triangle, std::size_t first, std::size_t last)
+        void addParts(const Box& box, const Triangle& triangle, int axis, int first, int last)
         {
-            std::array<Box, maxBins> parts;
-            std::fill(parts.begin() + first, parts.begin() + last + 1, Box::empty());
-            const auto partOf = [&](float position) { return std::clamp(binOf(position), first, last); };
+            Box parts[maxBins];
+            std::fill(parts + first, parts + last + 1, Box::empty());
             Float4 from = toFloat4(triangle[2]);
-            std::size_t fromPart = partOf(from[m_axis]);
+            int fromPart = std::clamp(binOf(from)[axis], first, last);
             for (const glm::vec3& corner : triangle) {
                 const Float4 to = toFloat4(corner);
-                const std::size_t toPart = partOf(to[m_axis]);
+                const int toPart = std::clamp(binOf(to)[axis], first, last);
                 parts[toPart].add(to);
-                const Float4 slope = (to - from) / (to[m_axis] - from[m_axis]);
-                for (std::size_t i = std::min(fromPart, toPart); i < std::max(fromPart, toPart); ++i) {
-                    const Float4 point = from + (plane(i + 1) - from[m_axis]) * slope;
-                    parts[i].add(point);
-                    parts[i + 1].add(point);
+                if (fromPart != toPart) {
+                    const Float4 slope = (to - from) / (to[axis] - from[axis]);
+                    for (int i = std::min(fromPart, toPart); i < std::max(fromPart, toPart); ++i) {
+                        const Float4 point = from + (plane(axis, i + 1) - from[axis]) * slope;
+                        parts[i].add(point);
+                        parts[i + 1].add(point);
+                    }
                 }
                 from = to;
                 fromPart = toPart;
             }
-            for (std::size_t i = first; i <= last; ++i)
-                m_boxes[i].add(intersect(parts[i], box));
+            for (int i = first; i <= last; ++i)
+                m_boxes[axis][i].add(intersect(parts[i], box));
         }
 
-        [[nodiscard]] std::size_t binOf(float position) const
+        void search(int axis, uint32_t maxCut, SpatialSplit& best) const
         {
-            const float bin = (position - m_origin) / m_size;
-            return static_cast<std::size_t>(std::clamp(bin, 0.0f, static_cast<float>(m_numBins - 1)));
+            const Box* const boxes = m_boxes[axis];
+            Box above[maxBins];
+            above[m_numBins - 1] = boxes[m_numBins - 1];
+            for (int i = m_numBins - 1; i-- > 0;)
+                above[i] = unite(boxes[i], above[i + 1]);
+
+            Box box = Box::empty();
+            uint32_t numBelow = 0, numAbove = m_numReferences;
+            for (int i = 1; i < m_numBins; ++i) {
+                box.add(boxes[i - 1]);
+                numBelow += m_begin[axis][i - 1];
+                numAbove -= m_end[axis][i - 1];
+                const uint32_t numCut = numBelow + numAbove - m_numReferences;
+                const float cost = box.halfArea() * static_cast<float>(numBelow)
+                    + above[i].halfArea() * static_cast<float>(numAbove);
+                if (cost < best.cost && numCut <= maxCut && numBelow > 0 && numAbove > 0)
+                    best = { cost, axis, plane(axis, i), numCut };
+            }
         }
 
-        [[nodiscard]] float plane(std::size_t bin) const { return m_origin + static_cast<float>(bin) * m_size; }
+        [[nodiscard]] Int4 binOf(Float4 position) const
+        {
+            const Float4 bin = (position - m_origin) * m_scale, last = Float4 {} + static_cast<float>(m_numBins - 1);
+            return __builtin_convertvector(min(max(bin, Float4 {}), last), Int4);
+        }
 
-        int m_axis;
-        std::size_t m_numBins;
-        float m_origin, m_size;
-        std::array<Box, maxBins> m_boxes;
-        std::array<uint32_t, maxBins> m_begin {}, m_end {};
+        [[nodiscard]] float plane(int axis, int bin) const
+        {
+            return m_origin[axis] + static_cast<float>(bin) * m_size[axis];
+        }
+
+        uint32_t m_numReferences;
+        int m_numBins;
+        Float4 m_origin, m_size, m_scale;
+        Box m_boxes[3][maxBins];
+        uint32_t m_begin[3][maxBins] {}, m_end[3][maxBins] {};
     };
 
 }
 
 SpatialSplit findSpatialSplit(
-    std::span<const Reference> references, const Box& bounds, std::span<const Triangle> triangles, uint32_t maxCut)
+    std::span<const Reference> references, const Box& bounds, const Triangles& triangles, uint32_t maxCut)
 {
-    SpatialSplit best;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(bounds.upper[axis] - bounds.lower[axis] > 1e-30f))
-            continue;
-        SpatialBins bins(bounds, axis, binsFor(references.size()));
-        for (const Reference& reference : references)
-            bins.add(reference, triangles[reference.primitive()]);
-        bins.search(references.size(), maxCut, best);
-    }
-    return best;
+    SpatialBins bins(bounds, static_cast<uint32_t>(references.size()));
+    addInParts(bins, static_cast<uint32_t>(references.size()), [&](SpatialBins& sum, uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i)
+            sum.add(references[i], triangles);
+    });
+    return bins.best(maxCut);
 }
 
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "accel/wide/box.h"
+#include "accel/wide/triangles.h"
 #include <span>
 
 namespace accel::wide {
@@ -15,6 +15,6 @@ struct SpatialSplit {
 
 // The best split that cuts at most maxCut references, none if there is none with something on both sides.
 [[nodiscard]] SpatialSplit findSpatialSplit(
-    std::span<const Reference> references, const Box& bounds, std::span<const Triangle> triangles, uint32_t maxCut);
+    std::span<const Reference> references, const Box& bounds, const Triangles& triangles, uint32_t maxCut);
 
 }

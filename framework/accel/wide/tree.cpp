@@ -1,22 +1,22 @@
 #include "accel/wide/tree.h"
-#include "accel/wide/collapse.h"
+#include "accel/wide/build.h"
 #include "files/digest.h"
 #include <algorithm>
 
 namespace accel {
 
 // To be changed with what a node, a block or a building of them means.
-static constexpr std::string_view keptVersion = "wide tree 1";
+static constexpr std::string_view keptVersion = "wide tree 2";
 
-WideTree::WideTree(std::span<const Triangle> triangles, const wide::Kernel& kernel)
+WideTree::WideTree(const Triangles& triangles, const wide::Kernel& kernel)
     : m_kernel(kernel)
 {
-    if (const wide::BinaryTree binary = wide::buildBinaryTree(triangles); binary.nodes) {
-        wide::WideNodes wide = wide::collapse(binary, triangles);
-        m_nodes = std::move(wide.nodes);
-        m_blocks = std::move(wide.blocks);
+    wide::Built built = wide::build(triangles);
+    m_nodes = std::move(built.wide.nodes);
+    m_blocks = std::move(built.wide.blocks);
+    if (!m_blocks.empty()) {
+        const wide::Box& box = built.box;
         for (int i = 0; i < 3; ++i) {
-            const wide::Box& box = binary.nodes[0].box;
             m_view.middle[i] = 0.5f * box.lower[i] + 0.5f * box.upper[i];
             m_view.halfSize[i] = (0.5f * box.upper[i] - 0.5f * box.lower[i]) * (1.0f + 1e-6f); // no less after rounding
         }
@@ -32,9 +32,24 @@ void WideTree::showArrays()
     m_view.numBlocks = static_cast<uint32_t>(m_blocks.size());
 }
 
-WideTree WideTree::keptIn(const files::KeptArrays& folder, std::span<const Triangle> triangles)
+// By parts, since there is no array of them.
+static std::string nameOf(const wide::Triangles& triangles)
 {
-    const std::string name = files::Digest().add(keptVersion).add(std::as_bytes(triangles)).hex();
+    files::Digest digest;
+    digest.add(keptVersion);
+    std::vector<wide::Triangle> part;
+    for (uint32_t i = 0; i < triangles.size();) {
+        part.clear();
+        for (constexpr uint32_t partSize = 1 << 12; part.size() < partSize && i < triangles.size(); ++i)
+            part.push_back(triangles[i]);
+        digest.add(std::as_bytes(std::span(part)));
+    }
+    return digest.hex();
+}
+
+WideTree WideTree::keptIn(const files::KeptArrays& folder, const Triangles& triangles)
+{
+    const std::string name = nameOf(triangles);
     if (WideTree tree { {}, wide::bestKernel() }; tree.load(folder, name))
         return tree;
     WideTree tree(triangles);

@@ -1,7 +1,7 @@
 #pragma once
-#include "accel/wide/box.h"
 #include "accel/wide/kernels.h"
 #include "accel/wide/large_pages.h"
+#include "accel/wide/triangles.h"
 #include "files/kept_arrays.h"
 #include <framework/ray.h>
 #include <optional>
@@ -19,10 +19,11 @@ namespace accel {
 class WideTree {
 public:
     using Triangle = wide::Triangle;
+    using Triangles = wide::Triangles;
     using Hit = wide::Hit;
 
     // kernel: one that this processor can run.
-    explicit WideTree(std::span<const Triangle> triangles, const wide::Kernel& kernel = wide::bestKernel());
+    explicit WideTree(const Triangles& triangles, const wide::Kernel& kernel = wide::bestKernel());
 
     [[nodiscard]] std::optional<Hit> closest(const Ray& ray) const { return closest(ray, m_kernel); }
     [[nodiscard]] std::optional<Hit> closest(const Ray& ray, const wide::Kernel& kernel) const
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] std::size_t numBytes() const;
 
     // The tree over these triangles as it was kept or, built now, will be.
-    [[nodiscard]] static WideTree keptIn(const files::KeptArrays& folder, std::span<const Triangle> triangles);
+    [[nodiscard]] static WideTree keptIn(const files::KeptArrays& folder, const Triangles& triangles);
 
     WideTree(WideTree&&) = default; // what the view shows stays where it is
 

@@ -4,14 +4,17 @@
 
 namespace accel {
 
+static WideTree::Triangle triangleOf(const void* primitives, uint32_t index)
+{
+    const auto& [meshID, v0, v1, v2] = static_cast<const BVHInterface::Primitive*>(primitives)[index];
+    return { v0.position, v1.position, v2.position };
+}
+
 const WideTree* TreeOnDemand::build(std::span<const BVHInterface::Primitive> primitives)
 {
     const std::lock_guard lock(m_mutex);
     if (!m_tree) {
-        std::vector<WideTree::Triangle> triangles;
-        triangles.reserve(primitives.size());
-        for (const auto& [meshID, v0, v1, v2] : primitives)
-            triangles.push_back({ v0.position, v1.position, v2.position });
+        const WideTree::Triangles triangles(primitives.data(), primitives.size(), triangleOf);
         // Isolated: a thread that waits for its part of the building must not take up a pixel, which would ask again.
         const files::KeptArrays* const kept = keptTrees(triangles.size());
         tbb::this_task_arena::isolate([&] {
