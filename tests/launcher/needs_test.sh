@@ -58,7 +58,8 @@ END
 # files: all that the target, its objects and its configuration read, of this checkout and of the system.
 find_what_it_is_made_of() {
     grep -oE ' -o [^ /][^ ]*\.(o|gch)( |$)' "$scratch/commands" | awk '{ print $2 }' | sort -u >"$scratch/objects"
-    xargs ninja -C "$build" -t deps <"$scratch/objects" >"$scratch/deps"
+    xargs ninja -C "$build" -t deps <"$scratch/objects" >"$scratch/deps" 2>&1 ||
+        skip "$command was never configured: $(grep -m 1 '^ninja: ' "$scratch/deps")"
     ! grep -q 'deps not found' "$scratch/deps" || skip "$command is not built: $(grep -m 1 'not found' "$scratch/deps")"
     {
         sed -n 's/^    //p' "$scratch/deps"
