@@ -6,6 +6,7 @@
 #include "gui/panels.h"
 #include "gui/samples_panel.h"
 #include "gui/scale.h"
+#include "gui/work_panel.h"
 
 namespace gui {
 
@@ -28,6 +29,8 @@ void Application::frame(Window& window)
     control(window.takeKeys());
     sidePanel();
     m_profiler.show(m_picture, { 0.0f, m_last.y }, window.size());
+    workPanel(m_picture, m_document.settings.config.features.extra.enableSkipping, m_profiler.isCounting,
+        { m_first.x, m_last.y });
     helpPanel(m_showsHelp);
     if (const auto& ray = m_ray.followed()) {
         m_textureSpace.show(*ray, m_document.scene());
@@ -42,16 +45,18 @@ worker::View Application::view() const
 {
     Config config = m_document.settings.config;
     config.size = glm::ivec2(m_last - m_first);
-    return { makeTrackball(config), config.features, m_document.settings.lights, config.size, m_quantity };
+    return { makeTrackball(config), config.features, m_document.settings.lights, config.size, m_quantity,
+        m_profiler.isCounting };
 }
 
 void Application::showView()
 {
     Settings wanted = m_document.settings;
     wanted.config.size = glm::ivec2(m_last - m_first);
-    if (!m_shown || !areEqual(wanted, *m_shown)) {
+    if (!m_shown || !areEqual(wanted, *m_shown) || m_isCounted != m_profiler.isCounting) {
         m_number = m_tracer.show(m_document.path(), view());
         m_shown = std::move(wanted);
+        m_isCounted = m_profiler.isCounting;
     }
     if (auto picture = m_tracer.takePicture()) {
         m_picture = std::move(*picture);

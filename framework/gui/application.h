@@ -64,6 +64,7 @@ private:
     TexturePanel m_textureSpace;
     LightHandles m_lightHandles;
     std::optional<Settings> m_shown; // what the tracer was asked for last
+    bool m_isCounted = false; // likewise
     glm::vec2 m_first { 0.0f }, m_last { 1.0f }; // of the picture in the window
     uint64_t m_number = 0; // of the view that was asked for last; pictures that are waited for have it
     bool m_showsHelp = false;

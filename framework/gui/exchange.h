@@ -20,7 +20,8 @@ struct Picture {
     uint64_t number = 0; // of the view
     bool isDone = false;
     double seconds = 0.0; // since the view was asked for
-    accel::RayCounts numRays;
+    worker::Work work;
+    std::vector<worker::ExplainedPart> needs; // none unless all of the work is counted, not the rays alone
     std::size_t memory = 0; // bytes that the worker holds; 0: unknown
     debug::Quantity quantity = debug::Quantity::Color; // that the pixels are the false colours of
     std::vector<glm::vec3> values; // in the pixels, raw; none for colours, which are their own

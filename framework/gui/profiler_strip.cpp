@@ -9,7 +9,7 @@ namespace {
     {
         const auto perSecond
             = [&](uint64_t count) { return 1e-6 * static_cast<double>(count) / std::max(picture.seconds, 1e-9); };
-        const auto& [camera, bounced, shadow, leftOut] = picture.numRays;
+        const auto& [camera, bounced, shadow, leftOut] = picture.work.rays;
         ImGui::Text("million rays a second: %.2f camera, %.2f bounced, %.2f shadow (%.2f left out) in %.2f s",
             perSecond(camera), perSecond(bounced), perSecond(shadow), perSecond(leftOut), picture.seconds);
     }
@@ -49,6 +49,8 @@ void ProfilerStrip::show(const Picture& picture, glm::vec2 first, glm::vec2 last
     memory("the code", picture.memory);
     ImGui::SameLine();
     memory("the window", values::residentMemory());
+    ImGui::SameLine();
+    ImGui::Checkbox("count", &isCounting);
     ImGui::End();
 }
 

@@ -13,6 +13,8 @@ public:
     // Between these corners of the window.
     void show(const Picture& picture, glm::vec2 first, glm::vec2 last);
 
+    bool isCounting = false; // the user wants to know more of the work than the rays, though that is slower
+
 private:
     void frames();
 

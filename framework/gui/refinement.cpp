@@ -23,7 +23,8 @@ void Refinement::add(const worker::Rows& rows)
                     throw worker::MalformedMessage();
                 fill({ x, y }, *value++);
             }
-    m_numRays += rows.numRays;
+    m_work += rows.work;
+    m_needs = rows.needs;
     m_memory = rows.memory;
     m_request.firstRow = rows.end;
     if (rows.end == m_request.view.size.y) {
@@ -53,7 +54,8 @@ Picture Refinement::picture() const
         .number = m_number,
         .isDone = isDone(),
         .seconds = elapsed.count(),
-        .numRays = m_numRays,
+        .work = m_work,
+        .needs = m_needs,
         .memory = m_memory,
         .quantity = quantity,
         .values = quantity == debug::Quantity::Color ? std::vector<glm::vec3>() : m_values,

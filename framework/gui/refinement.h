@@ -24,7 +24,8 @@ private:
     worker::RowsRequest m_request;
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
     std::vector<glm::vec3> m_values;
-    accel::RayCounts m_numRays;
+    worker::Work m_work;
+    std::vector<worker::ExplainedPart> m_needs;
     std::size_t m_memory = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-#include "accel/ray_counts.h"
-#include "worker/message.h"
+#include "worker/work.h"
+#include <string>
+#include <vector>
 
 namespace worker {
 
@@ -13,11 +14,18 @@ struct ExplainedPart {
 struct Explanation {
     bool skips = true; // what it does not need is left out
     std::vector<ExplainedPart> parts;
-    accel::RayCounts rays;
-    uint64_t numNodes = 0, numTriangles = 0; // of the tree that everybody sees, by the library's traversal
-    uint64_t numLookups = 0; // of textures
+    Work work;
     uint32_t numTextures = 0, numDecoded = 0;
 };
+
+// The words for it, wherever it is shown: what, and how much or why not.
+struct ExplainedLine {
+    std::string what, value;
+};
+[[nodiscard]] std::string titleOfNeeds(bool skips);
+[[nodiscard]] std::vector<ExplainedLine> linesOf(const std::vector<ExplainedPart>& parts);
+[[nodiscard]] std::vector<ExplainedLine> linesOf(const Work& work);
+[[nodiscard]] std::vector<ExplainedLine> linesOfWork(const Explanation& explanation); // with what was decoded
 
 inline Message& operator<<(Message& message, const ExplainedPart& p)
 {
@@ -31,14 +39,12 @@ inline Reader& operator>>(Reader& reader, ExplainedPart& p)
 
 inline Message& operator<<(Message& message, const Explanation& e)
 {
-    return message << e.skips << e.parts << e.rays << e.numNodes << e.numTriangles << e.numLookups << e.numTextures
-                   << e.numDecoded;
+    return message << e.skips << e.parts << e.work << e.numTextures << e.numDecoded;
 }
 
 inline Reader& operator>>(Reader& reader, Explanation& e)
 {
-    return reader >> e.skips >> e.parts >> e.rays >> e.numNodes >> e.numTriangles >> e.numLookups >> e.numTextures
-        >> e.numDecoded;
+    return reader >> e.skips >> e.parts >> e.work >> e.numTextures >> e.numDecoded;
 }
 
 }

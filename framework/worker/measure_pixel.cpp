@@ -66,11 +66,12 @@ namespace {
 
 }
 
-glm::vec3 measurePixel(const Scene& scene, const accel::CountingBVH& bvh, const View& view, glm::ivec2 pixel)
+glm::vec3 measurePixel(
+    const Scene& scene, const accel::CountingBVH& bvh, const View& view, glm::ivec2 pixel, const SceneNeeds& needs)
 {
     const auto index = static_cast<uint32_t>(pixel.y * view.size.x + pixel.x); // the seed that renderImage takes
     const Features features = featuresFor(view);
-    RenderState state { scene, features, bvh, Sampler(index) };
+    RenderState state { scene, features, bvh, Sampler(index), needs };
     switch (view.quantity) {
     case Quantity::Color:
         return trace(state, view, pixel);

@@ -1,8 +1,7 @@
 #pragma once
-#include "accel/ray_counts.h"
 #include "debug/quantity.h"
 #include "scene.h"
-#include "worker/message.h"
+#include "worker/explanation.h"
 #include <framework/trackball.h>
 
 // What a window asks its worker. The worker keeps the scene that it opened last, so that a change of the camera, of a
@@ -22,6 +21,7 @@ struct View {
     std::vector<Scene::SceneLight> lights;
     glm::ivec2 size { 0 }; // pixels
     debug::Quantity quantity = debug::Quantity::Color;
+    bool isCounted = false; // with more work than the rays: that is slower
 };
 
 // A picture comes in passes: each has the pixels whose coordinates are multiples of its stride, but for those of the
@@ -44,7 +44,8 @@ struct RowsRequest {
 struct Rows {
     int end = 0; // the first row that is not among them
     std::vector<glm::vec3> pixels; // of the pass, row by row: the quantity, raw
-    accel::RayCounts numRays;
+    Work work; // no more than its rays, unless the view is counted
+    std::vector<ExplainedPart> needs; // of the picture; none unless the view is counted
     std::size_t memory = 0; // bytes that the worker holds; 0: unknown
 };
 
@@ -66,12 +67,12 @@ inline Reader& operator>>(Reader& reader, OpenRequest& r)
 
 inline Message& operator<<(Message& message, const View& v)
 {
-    return message << v.camera << v.features << v.lights << v.size << v.quantity;
+    return message << v.camera << v.features << v.lights << v.size << v.quantity << v.isCounted;
 }
 
 inline Reader& operator>>(Reader& reader, View& v)
 {
-    return reader >> v.camera >> v.features >> v.lights >> v.size >> v.quantity;
+    return reader >> v.camera >> v.features >> v.lights >> v.size >> v.quantity >> v.isCounted;
 }
 
 inline Message& operator<<(Message& message, const RowsRequest& r)
@@ -86,12 +87,12 @@ inline Reader& operator>>(Reader& reader, RowsRequest& r)
 
 inline Message& operator<<(Message& message, const Rows& r)
 {
-    return message << r.end << r.pixels << r.numRays << r.memory;
+    return message << r.end << r.pixels << r.work << r.needs << r.memory;
 }
 
 inline Reader& operator>>(Reader& reader, Rows& r)
 {
-    return reader >> r.end >> r.pixels >> r.numRays >> r.memory;
+    return reader >> r.end >> r.pixels >> r.work >> r.needs >> r.memory;
 }
 
 inline Message& operator<<(Message& message, const FollowRequest& r)

@@ -2,6 +2,8 @@
 #include "bvh.h"
 #include "files/scene_file.h"
 #include "values/resident_memory.h"
+#include "worker/counted_work.h"
+#include "worker/explain_needs.h"
 #include "worker/follow_ray.h"
 #include "worker/measure_pixel.h"
 #include "worker/probe.h"
@@ -9,6 +11,7 @@
 #include "worker/view.h"
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -65,7 +68,9 @@ namespace {
         auto request = call.input.read<RowsRequest>();
         Opened& now = withLights(request.view.lights);
         const accel::CountingBVH counting { now.bvh };
-        const accel::RayCounts raysBefore = accel::CountingBVH::rayCounts();
+        const bool isSeen = request.view.quantity == debug::Quantity::Color; // measured is what is done for anything
+        const SceneNeeds needs = isSeen ? values::needsOf(now.scene, request.view.features) : SceneNeeds();
+        CountedWork work;
         const auto start = std::chrono::steady_clock::now();
         const std::chrono::duration<double> budget { request.seconds };
         const int rowsAtOnce = 2 * tbb::this_task_arena::max_concurrency() * request.stride;
@@ -76,11 +81,16 @@ namespace {
             const std::size_t first = answer.pixels.size();
             answer.pixels.resize(first + pixels.size());
             tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {
-                answer.pixels[first + i] = measurePixel(now.scene, counting, request.view, pixels[i]);
+                std::optional<CountedWork::Part> part;
+                if (request.view.isCounted)
+                    part.emplace(work);
+                answer.pixels[first + i] = measurePixel(now.scene, counting, request.view, pixels[i], needs);
             });
             request.firstRow = answer.end;
         } while (answer.end < request.view.size.y && std::chrono::steady_clock::now() - start < budget);
-        answer.numRays = accel::CountingBVH::rayCounts() - raysBefore;
+        answer.work = work.sum();
+        if (request.view.isCounted)
+            answer.needs = explainNeeds(now.scene, request.view.features);
         answer.memory = values::residentMemory();
         call.output << answer;
     });
