@@ -75,3 +75,27 @@ TEST_CASE("The table of trees counts triangles, levels and leaves that can be", 
     CHECK(sheet.data.front()["triangles"] == 1);
     CHECK(sheet.data.back()["triangles"] > 100'000);
 }
+
+TEST_CASE(
+    "The table of work counts what is done, says what is left out and why, in the same words for both", "[report]")
+{
+    const auto sheet = drawn("bvh.work");
+    CHECK(brokenClaim(sheet) == "");
+    const auto cells = [&](std::size_t panel, const std::string& what) {
+        const auto& rows = panelOf<report::Table>(sheet, panel).rows;
+        const auto row = std::ranges::find_if(rows, [&](const auto& each) { return each[0] == what; });
+        REQUIRE(row != rows.end());
+        return *row;
+    };
+    CHECK(cells(0, "rays from the camera")[1] == "30000");
+    for (const auto& row : panelOf<report::Table>(sheet, 0).rows) { // the reference beside itself
+        CHECK(row.at(1) == row.at(2));
+        CHECK(row.at(3) == row.at(4));
+    }
+    CHECK(cells(0, "rays to lights, left out")[1] != "0");
+    CHECK(cells(0, "textures looked up")[3] != "0");
+    CHECK(cells(0, "textures decoded")[3] == "1 of 1");
+    CHECK(cells(1, "spheres")[1] == "no: the scene has none");
+    CHECK(cells(1, "triangles")[1] == "yes");
+    CHECK(sheet.data["triangles"] > 0);
+}
