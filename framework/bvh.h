@@ -1,5 +1,5 @@
 #pragma once
-#include "bvh_interface.h"
+#include "bvh_primitives.h"
 #include "render.h"
 #include "scene.h"
 #include <framework/ray.h>
@@ -10,6 +10,7 @@ struct BVH : public BVHInterface {
     static constexpr uint32_t LeafSize = 4; // primitives in a leaf, at most
     static constexpr uint32_t RootIndex = 0;
 
+    // The scene's meshes must stay as they are: primitives may be made of them later.
     BVH(const Scene& scene, const Features& features);
 
     // To implement: see BVHInterface.
@@ -19,6 +20,11 @@ struct BVH : public BVHInterface {
     [[nodiscard]] std::span<Node> nodes() override { return m_nodes; }
     [[nodiscard]] std::span<const Primitive> primitives() const override { return m_primitives; }
     [[nodiscard]] std::span<Primitive> primitives() override { return m_primitives; }
+    [[nodiscard]] std::size_t numPrimitives() const override { return m_primitives.size(); }
+    [[nodiscard]] const Primitive& primitive(std::size_t index, Primitive& room) const override
+    {
+        return m_primitives.at(index, room);
+    }
 
     [[nodiscard]] uint32_t numLevels() const override { return m_numLevels; }
     [[nodiscard]] uint32_t numLeaves() const override { return m_numLeaves; }
@@ -31,7 +37,7 @@ private:
     uint32_t m_numLevels = 0;
     uint32_t m_numLeaves = 0;
     std::vector<Node> m_nodes;
-    std::vector<Primitive> m_primitives;
+    BVHPrimitives m_primitives; // to be used like a vector
     std::shared_ptr<accel::TreeOnDemand> m_wideTree;
 
     // In the 2023-24 edition these were the student's: declared so that such files compile, defined by them alone.

@@ -56,6 +56,13 @@ struct BVHInterface {
     [[nodiscard]] virtual std::span<Node> nodes() = 0;
     [[nodiscard]] virtual std::span<const Primitive> primitives() const = 0;
     [[nodiscard]] virtual std::span<Primitive> primitives() = 0;
+    // The same, for whoever does not look at all: of a large scene all are made when somebody first asks for them. One
+    // that is not made yet is put into the room.
+    [[nodiscard]] virtual std::size_t numPrimitives() const { return primitives().size(); }
+    [[nodiscard]] virtual const Primitive& primitive(std::size_t index, Primitive& /*room*/) const
+    {
+        return primitives()[index];
+    }
 
     [[nodiscard]] virtual uint32_t numLevels() const = 0;
     [[nodiscard]] virtual uint32_t numLeaves() const = 0;

@@ -1,6 +1,7 @@
 #include "accel/builder.h"
 #include "accel/bounds.h"
 #include "accel/kept_trees.h"
+#include "accel/scene_triangles.h"
 #include "files/digest.h"
 #include <algorithm>
 #include <array>
@@ -10,7 +11,6 @@ namespace accel {
 namespace {
 
     using Node = BVHInterface::Node;
-    using Primitive = BVHInterface::Primitive;
 
     // What the builder needs of a triangle: no more, since there is one of each at once with what it builds.
     struct Reference {
@@ -42,33 +42,7 @@ namespace {
         }
     };
 
-    // The triangles of all meshes, one after the other.
-    class Triangles {
-    public:
-        explicit Triangles(const Scene& scene)
-            : m_scene(scene)
-        {
-            for (const Mesh& mesh : scene.meshes)
-                m_ends.push_back((m_ends.empty() ? 0 : m_ends.back()) + static_cast<uint32_t>(mesh.triangles.size()));
-        }
-
-        [[nodiscard]] uint32_t size() const { return m_ends.empty() ? 0 : m_ends.back(); }
-
-        [[nodiscard]] Primitive operator[](uint32_t index) const
-        {
-            const auto end = std::ranges::upper_bound(m_ends, index);
-            const auto meshID = static_cast<uint32_t>(end - m_ends.begin());
-            const Mesh& mesh = m_scene.meshes[meshID];
-            const glm::uvec3& t = mesh.triangles[index + mesh.triangles.size() - *end];
-            return { meshID, mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z] };
-        }
-
-    private:
-        const Scene& m_scene;
-        std::vector<uint32_t> m_ends; // of each mesh's
-    };
-
-    std::vector<Reference> makeReferences(const Triangles& triangles)
+    std::vector<Reference> makeReferences(const SceneTriangles& triangles)
     {
         std::vector<Reference> references;
         references.reserve(triangles.size());
@@ -200,7 +174,7 @@ namespace {
         Shape& m_shape;
     };
 
-    Shape buildShape(const Triangles& triangles, uint32_t leafSize)
+    Shape buildShape(const SceneTriangles& triangles, uint32_t leafSize)
     {
         std::vector<Reference> references = makeReferences(triangles);
         Shape shape;
@@ -230,7 +204,7 @@ namespace {
         Shape shape;
         if (folder.load(name, shape.nodes, shape.order, shape.numLevels, shape.numLeaves))
             return shape;
-        shape = buildShape(Triangles(scene), leafSize);
+        shape = buildShape(SceneTriangles(scene.meshes), leafSize);
         folder.save(name, shape.nodes, shape.order, shape.numLevels, shape.numLeaves);
         return shape;
     }
@@ -239,15 +213,11 @@ namespace {
 
 Tree buildTree(const Scene& scene, uint32_t leafSize)
 {
-    const Triangles triangles { scene };
+    SceneTriangles triangles(scene.meshes);
     const files::KeptArrays* const kept = keptTrees(triangles.size());
     Shape shape = kept ? shapeKeptIn(*kept, scene, leafSize) : buildShape(triangles, leafSize);
-
-    Tree tree { std::move(shape.nodes), {}, shape.numLevels, shape.numLeaves };
-    tree.primitives.reserve(triangles.size());
-    for (const uint32_t index : shape.order)
-        tree.primitives.push_back(triangles[index]);
-    return tree;
+    return { std::move(shape.nodes), { std::move(triangles), std::move(shape.order) }, shape.numLevels,
+        shape.numLeaves };
 }
 
 }

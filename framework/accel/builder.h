@@ -1,5 +1,5 @@
 #pragma once
-#include "bvh_interface.h"
+#include "bvh_primitives.h"
 #include "scene.h"
 #include <vector>
 
@@ -10,7 +10,7 @@ inline constexpr uint32_t maxLevels = 64;
 
 struct Tree {
     std::vector<BVHInterface::Node> nodes; // the root first
-    std::vector<BVHInterface::Primitive> primitives; // in the order of the leaves
+    BVHPrimitives primitives; // in the order of the leaves
     uint32_t numLevels = 0;
     uint32_t numLeaves = 0;
 };

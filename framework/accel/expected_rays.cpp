@@ -9,13 +9,14 @@ static void prefetch(const BVHInterface::Primitive& primitive)
         __builtin_prefetch(bytes + i);
 }
 
-void ExpectedRays::trace(const WideTree& tree, std::span<const BVHInterface::Primitive> primitives)
+void ExpectedRays::trace(const WideTree& tree, const BVHInterface& bvh)
 {
     m_tree = &tree;
+    BVHInterface::Primitive room; // to put one together is to fetch it, too
     for (std::size_t i = m_next; i < m_rays.size(); ++i) {
         m_hits[i] = tree.closest(m_rays[i]);
         if (m_hits[i])
-            prefetch(primitives[m_hits[i]->primitive]);
+            prefetch(bvh.primitive(m_hits[i]->primitive, room));
     }
 }
 

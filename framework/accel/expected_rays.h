@@ -26,17 +26,16 @@ public:
         return m_next < m_rays.size() && std::memcmp(&m_rays[m_next], &ray, sizeof ray) == 0;
     }
 
-    // The closest hit of the next ray. primitives: those of the tree.
-    const std::optional<WideTree::Hit>& takeNext(
-        const WideTree& tree, std::span<const BVHInterface::Primitive> primitives)
+    // The closest hit of the next ray. bvh: whose tree this is.
+    const std::optional<WideTree::Hit>& takeNext(const WideTree& tree, const BVHInterface& bvh)
     {
         if (m_tree != &tree)
-            trace(tree, primitives);
+            trace(tree, bvh);
         return m_hits[m_next++];
     }
 
 private:
-    void trace(const WideTree& tree, std::span<const BVHInterface::Primitive> primitives);
+    void trace(const WideTree& tree, const BVHInterface& bvh);
 
     std::span<const Ray> m_rays;
     std::size_t m_next = 0;

@@ -51,7 +51,10 @@ void addBinary(std::span<const Triangle> triangles, Rivals& rivals)
 {
     const Scene scene = values::sceneOf(triangles);
     accel::Tree tree;
-    const double seconds = secondsOf([&] { tree = accel::buildTree(scene, 4); });
+    const double seconds = secondsOf([&] {
+        tree = accel::buildTree(scene, 4);
+        (void)tree.primitives.all(); // made now, while there is a scene
+    });
     rivals.push_back(std::make_unique<BinaryRival>(std::move(tree)));
     rivals.back()->buildSeconds = seconds;
 }

@@ -3,5 +3,5 @@
 
 const accel::WideTree* BVH::wideTree() const
 {
-    return m_wideTree ? m_wideTree->get(m_primitives) : nullptr;
+    return m_wideTree ? m_wideTree->get(*this) : nullptr;
 }

@@ -45,7 +45,7 @@ std::optional<accel::WideTree::Hit> findClosest(
     const RenderState& state, const accel::WideTree& tree, const BVHInterface& bvh, const Ray& ray)
 {
     if (state.expected && state.expected->isNext(ray))
-        return state.expected->takeNext(tree, bvh.primitives());
+        return state.expected->takeNext(tree, bvh);
     return tree.closest(ray);
 }
 
@@ -57,7 +57,8 @@ bool intersectWideTree(
         return false;
     ray.t = hit->t;
     const glm::vec3 bc { 1.0f - hit->u - hit->v, hit->u, hit->v };
-    fillHit(state, bvh.primitives()[hit->primitive], bc, ray.direction, hitInfo);
+    BVHInterface::Primitive room;
+    fillHit(state, bvh.primitive(hit->primitive, room), bc, ray.direction, hitInfo);
     return true;
 }
 

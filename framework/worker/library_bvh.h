@@ -21,7 +21,7 @@ public:
     }
 
     // Its own, since a submission that builds the binary tree itself has none.
-    [[nodiscard]] const accel::WideTree* wideTree() const override { return m_tree.get(primitives()); }
+    [[nodiscard]] const accel::WideTree* wideTree() const override { return m_tree.get(*this); }
 
 private:
     mutable accel::TreeOnDemand m_tree;

@@ -24,7 +24,7 @@ namespace {
             , m_bvh(scene, config.features)
             , m_library(scene, config.features)
         {
-            m_speed.numTriangles = std::as_const(m_bvh).primitives().size();
+            m_speed.numTriangles = m_bvh.numPrimitives();
             m_recorded = record(m_library);
             addFrame(m_speed.frame, m_library, m_recorded);
             addRays(

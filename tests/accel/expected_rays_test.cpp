@@ -43,7 +43,7 @@ TEST_CASE("Expected rays have the hits that each finds alone", "[expected]")
     expected.expect(rays);
     for (const Ray& ray : rays) {
         REQUIRE(expected.isNext(ray));
-        CHECK(isSame(expected.takeNext(tree, bvh.primitives()), tree.closest(ray)));
+        CHECK(isSame(expected.takeNext(tree, bvh), tree.closest(ray)));
     }
     CHECK_FALSE(expected.isNext(rays.back()));
 }
@@ -65,7 +65,7 @@ TEST_CASE("Expected rays are these, in this order, and no others", "[expected]")
     CHECK_FALSE(expected.isNext(other));
     for (std::size_t i = 0; i < ExpectedRays::most; ++i) {
         REQUIRE(expected.isNext(rays[i]));
-        (void)expected.takeNext(*bvh.wideTree(), bvh.primitives());
+        (void)expected.takeNext(*bvh.wideTree(), bvh);
     }
     CHECK_FALSE(expected.isNext(rays.back())); // one too many
 }
@@ -79,7 +79,7 @@ TEST_CASE("Expected rays that are asked of another tree are traced in that one",
     expected.expect(rays);
     for (const Ray& ray : rays) {
         const worker::LibraryBVH& bvh = &ray - rays.data() < 3 ? panes : nothing;
-        CHECK(isSame(expected.takeNext(*bvh.wideTree(), bvh.primitives()), bvh.wideTree()->closest(ray)));
+        CHECK(isSame(expected.takeNext(*bvh.wideTree(), bvh), bvh.wideTree()->closest(ray)));
     }
 }
 

@@ -163,3 +163,34 @@ TEST_CASE("A node says whether it is a leaf, and which are its primitives or chi
     CHECK(inner.leftChild() == 12);
     CHECK(inner.rightChild() == 13);
 }
+
+TEST_CASE("Primitives are made when somebody looks, and one alone is the same before and after", "[builder]")
+{
+    Random random(1, "primitives");
+    Scene scene;
+    for (int i = 0; i < 3; ++i)
+        grading::addTriangles(scene, random, 50);
+    const accel::Tree tree = accel::buildTree(scene, leafSize);
+    const auto oneByOne = [&] {
+        std::vector<Primitive> primitives;
+        for (Primitive room; primitives.size() < tree.primitives.size();)
+            primitives.push_back(tree.primitives.at(primitives.size(), room));
+        return primitives;
+    };
+    const std::vector<Primitive> before = oneByOne();
+    CHECK(before.size() == 150);
+    CHECK(tree.primitives.all() == before);
+    CHECK(oneByOne() == before);
+}
+
+TEST_CASE("Whoever builds a tree of their own fills its primitives like a vector", "[builder]")
+{
+    BVHPrimitives primitives;
+    const std::vector<Primitive> some(3, Primitive { 7, {}, {}, {} });
+    std::ranges::copy(some, std::back_inserter(primitives));
+    primitives.push_back({ 8, {}, {}, {} });
+    CHECK(primitives.size() == 4);
+    CHECK(primitives[2].meshID == 7);
+    CHECK(primitives[3].meshID == 8);
+    CHECK(std::span<const Primitive>(primitives).size() == 4);
+}

@@ -4,17 +4,18 @@
 
 namespace accel {
 
-static WideTree::Triangle triangleOf(const void* primitives, uint32_t index)
+static WideTree::Triangle triangleOf(const void* bvh, uint32_t index)
 {
-    const auto& [meshID, v0, v1, v2] = static_cast<const BVHInterface::Primitive*>(primitives)[index];
+    BVHInterface::Primitive room;
+    const auto& [meshID, v0, v1, v2] = static_cast<const BVHInterface*>(bvh)->primitive(index, room);
     return { v0.position, v1.position, v2.position };
 }
 
-const WideTree* TreeOnDemand::build(std::span<const BVHInterface::Primitive> primitives)
+const WideTree* TreeOnDemand::build(const BVHInterface& bvh)
 {
     const std::lock_guard lock(m_mutex);
     if (!m_tree) {
-        const WideTree::Triangles triangles(primitives.data(), primitives.size(), triangleOf);
+        const WideTree::Triangles triangles(&bvh, bvh.numPrimitives(), triangleOf);
         // Isolated: a thread that waits for its part of the building must not take up a pixel, which would ask again.
         const files::KeptArrays* const kept = keptTrees(triangles.size());
         tbb::this_task_arena::isolate([&] {

@@ -6,19 +6,19 @@
 
 namespace accel {
 
-// The library's tree over primitives, built by the first thread that asks for it: whoever traverses by code of their
-// own does not pay for it.
+// The library's tree over another's primitives, built by the first thread that asks for it: whoever traverses by code
+// of their own does not pay for it.
 class TreeOnDemand {
 public:
-    [[nodiscard]] const WideTree* get(std::span<const BVHInterface::Primitive> primitives)
+    [[nodiscard]] const WideTree* get(const BVHInterface& bvh)
     {
         if (const WideTree* tree = m_built.load(std::memory_order_acquire))
             return tree;
-        return build(primitives);
+        return build(bvh);
     }
 
 private:
-    const WideTree* build(std::span<const BVHInterface::Primitive> primitives);
+    const WideTree* build(const BVHInterface& bvh);
 
     std::mutex m_mutex;
     std::unique_ptr<const WideTree> m_tree;
