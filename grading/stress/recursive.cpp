@@ -74,12 +74,13 @@ namespace {
         return random.integer(0, 1) == 0 ? std::array { above, below } : std::array { below, above };
     }
 
-    // From between two mirrors, no flatter than to meet them seven times.
+    // From between two mirrors, no flatter than to meet them seven times: at most 0.35 / 0.3 of the gap to a side each,
+    // which of the widest gap is 7.7 in all, and they are 8 wide.
     std::array<glm::vec3, 2> rayBetween(Random& random, const Stack& stack)
     {
         const float lower = stack.panes[0].height, upper = stack.panes[1].height;
         const glm::vec3 from { random.vec2(-0.3f, 0.3f), glm::mix(lower, upper, random.uniform(0.3f, 0.7f)) };
-        const glm::vec2 to = glm::vec2(from) + (upper - lower) * random.vec2(-0.4f, 0.4f);
+        const glm::vec2 to = glm::vec2(from) + (upper - lower) * random.vec2(-0.35f, 0.35f);
         return { from, glm::vec3(to, random.integer(0, 1) == 0 ? lower : upper) };
     }
 

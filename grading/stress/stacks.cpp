@@ -21,10 +21,12 @@ Stack anyStack(Random& random)
     const float size = magnitude(random, 1e-3f, 1e3f);
     const glm::vec3 up = random.direction();
     const glm::vec3 right = glm::normalize(glm::cross(up, random.direction()));
-    stack.center = size * random.vec3(-1.0f, 1.0f);
     stack.up = size * up;
     stack.right = size * right;
     stack.away = size * glm::cross(up, right);
+    const float angle = random.uniform(0.0f, 6.28318531f), distance = random.uniform(2.0f, 3.0f);
+    stack.center = distance * (std::cos(angle) * stack.right + std::sin(angle) * stack.away)
+        + random.uniform(-1.0f, 1.0f) * stack.up;
     return stack;
 }
 
