@@ -13,11 +13,10 @@ void ExpectedRays::trace(const WideTree& tree, const BVHInterface& bvh)
 {
     m_tree = &tree;
     BVHInterface::Primitive room; // to put one together is to fetch it, too
-    for (std::size_t i = m_next; i < m_rays.size(); ++i) {
-        m_hits[i] = tree.closest(m_rays[i]);
+    tree.closest(m_rays.subspan(m_next), std::span(m_hits).subspan(m_next));
+    for (std::size_t i = m_next; i < m_rays.size(); ++i)
         if (m_hits[i])
             prefetch(bvh.primitive(m_hits[i]->primitive, room));
-    }
 }
 
 }

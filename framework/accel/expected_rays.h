@@ -11,7 +11,7 @@ namespace accel {
 // they hit is on its way from memory before somebody wants it. If nobody asks, nothing is traced.
 class ExpectedRays {
 public:
-    static constexpr std::size_t most = 64;
+    static constexpr std::size_t most = wide::mostRays;
 
     // Instead of those of before; they must stay where they are. Those beyond the first `most` are not expected.
     void expect(std::span<const Ray> rays)

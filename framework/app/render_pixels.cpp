@@ -11,14 +11,19 @@
 namespace app {
 namespace {
 
-    class Row {
+    // A square of pixels, whose rays meet much the same.
+    class Tile {
     public:
-        Row(const RenderState& state, const Trackball& camera, Screen& screen, uint32_t seedOffset, int y)
+        static constexpr int size = 8;
+        static_assert(size * size <= accel::ExpectedRays::most);
+
+        Tile(const RenderState& state, const Trackball& camera, Screen& screen, uint32_t seedOffset, glm::ivec2 index)
             : m_state(state)
             , m_camera(camera)
             , m_screen(screen)
             , m_seedOffset(seedOffset)
-            , m_y(y)
+            , m_begin(size * index)
+            , m_end(glm::min(m_begin + size, screen.resolution()))
         {
             if (m_state.features.extra.enableSkipping)
                 m_state.expected = &m_expected;
@@ -35,35 +40,38 @@ namespace {
     private:
         void renderRaysOfPixels()
         {
-            const glm::ivec2 resolution = m_screen.resolution();
-            for (int x = 0; x < resolution.x; ++x)
-                set(x, [&] {
-                    return renderRays(m_state, generatePixelRays(m_state, m_camera, { x, m_y }, resolution));
+            forEachPixel([&](glm::ivec2 pixel) {
+                set(pixel, [&] {
+                    return renderRays(m_state, generatePixelRays(m_state, m_camera, pixel, m_screen.resolution()));
                 });
+            });
         }
 
-        // One ray each: those of some neighbours are known before the first is followed.
+        // One ray each: all are known before the first is followed.
         void renderCentresOfPixels()
         {
-            constexpr int few = accel::ExpectedRays::most;
-            std::array<Ray, few> rays;
-            for (int first = 0; first < m_screen.resolution().x; first += few) {
-                const int end = std::min(first + few, m_screen.resolution().x);
-                for (int x = first; x < end; ++x)
-                    rays[x - first] = values::centreRay(m_camera, { x, m_y }, m_screen.resolution());
-                m_expected.expect(std::span(rays).first(end - first));
-                for (int x = first; x < end; ++x)
-                    set(x, [&] { return renderRay(m_state, rays[x - first]); });
-            }
+            std::array<Ray, size * size> rays;
+            std::size_t numRays = 0, next = 0;
+            forEachPixel(
+                [&](glm::ivec2 pixel) { rays[numRays++] = values::centreRay(m_camera, pixel, m_screen.resolution()); });
+            m_expected.expect(std::span(rays).first(numRays));
+            forEachPixel([&](glm::ivec2 pixel) { set(pixel, [&] { return renderRay(m_state, rays[next++]); }); });
+        }
+
+        template <typename Do> void forEachPixel(const Do& action) const
+        {
+            for (int y = m_begin.y; y < m_end.y; ++y)
+                for (int x = m_begin.x; x < m_end.x; ++x)
+                    action(glm::ivec2(x, y));
         }
 
         // What is random in a pixel follows from its place, whoever renders it.
-        template <typename Color> void set(int x, const Color& color)
+        template <typename Color> void set(glm::ivec2 pixel, const Color& color)
         {
-            const uint32_t seed = m_seedOffset + static_cast<uint32_t>(m_screen.indexAt(x, m_y));
+            const uint32_t seed = m_seedOffset + static_cast<uint32_t>(m_screen.indexAt(pixel.x, pixel.y));
             values::EvenNumbers even(seed);
             m_state.sampler = m_state.features.extra.enableOwenSampling ? Sampler(even) : Sampler(seed);
-            m_screen.setPixel(x, m_y, color());
+            m_screen.setPixel(pixel.x, pixel.y, color());
         }
 
         RenderState m_state;
@@ -71,7 +79,7 @@ namespace {
         const Trackball& m_camera;
         Screen& m_screen;
         uint32_t m_seedOffset;
-        int m_y;
+        glm::ivec2 m_begin, m_end;
     };
 
 }
@@ -81,7 +89,10 @@ void renderPixels(const Scene& scene, const BVHInterface& bvh, const Features& f
 {
     const RenderState state { scene, features, bvh, Sampler(0), values::needsOf(scene, features) };
     const uint32_t seedOffset = seed * 0x9e3779b9u; // odd: distinct seeds stay distinct
-    tbb::parallel_for(0, screen.resolution().y, [&](int y) { Row(state, camera, screen, seedOffset, y).render(); });
+    const glm::ivec2 numTiles = (screen.resolution() + Tile::size - 1) / Tile::size;
+    tbb::parallel_for(0, numTiles.x * numTiles.y, [&](int i) {
+        Tile(state, camera, screen, seedOffset, { i % numTiles.x, i / numTiles.x }).render();
+    });
 }
 
 }

@@ -42,9 +42,9 @@ TEST_CASE(
 {
     const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2); // each has some memory to work in
     const std::size_t before = mostMemory();
-    const Scene scene = sheet(750);
+    const Scene scene = sheet(1000);
     const BVH bvh(scene, {});
-    REQUIRE(bvh.numPrimitives() == 2 * 750 * 750);
+    REQUIRE(bvh.numPrimitives() == 2 * 1000 * 1000);
     CHECK(bvh.wideTree()->closest({ { 0.51f, 1.0f, 0.52f }, { 0.0f, -1.0f, 0.0f } }));
     CHECK((mostMemory() - before) / bvh.numPrimitives() <= 200);
 }

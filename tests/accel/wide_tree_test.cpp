@@ -1,27 +1,17 @@
 #include "accel/wide/tree.h"
 #include "bench/closed_mesh.h"
 #include "bench/exact_hits.h"
-#include "grading/random.h"
+#include "random_triangles.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 using accel::WideTree;
 using bench::ClosedMesh;
 using grading::Random;
+using tests::randomTriangles;
 using Triangle = WideTree::Triangle;
 
 namespace {
-
-std::vector<Triangle> randomTriangles(Random& random, int count, float size)
-{
-    std::vector<Triangle> triangles;
-    for (int i = 0; i < count; ++i) {
-        const glm::vec3 center = random.vec3(-1.0f, 1.0f);
-        const auto corner = [&] { return center + size * random.vec3(-1.0f, 1.0f); };
-        triangles.push_back({ corner(), corner(), corner() });
-    }
-    return triangles;
-}
 
 Ray randomRay(Random& random)
 {

@@ -4,49 +4,48 @@
 
 namespace accel::wide {
 
-// A ray as the box test wants it. All that rounding may take away, here and in the triangle test, is given to the boxes
-// beforehand: they count as larger by a margin.
-template <typename Simd> class BoxRay {
+// Where a ray passes planes across each axis: at a plane's place * inverse - offset. All that rounding may take away,
+// here and in the triangle test, is given to the boxes beforehand: they count as larger by a margin.
+template <typename Simd> struct Slabs {
     using Floats = typename Simd::Floats;
+    // Three coordinates, and a fourth that nobody looks at.
+    using Float4 = float __attribute__((vector_size(16)));
 
-public:
-    BoxRay(const View& tree, const Ray& ray)
+    Slabs(const View& tree, const Ray& ray)
     {
         const Float4 origin = load(&ray.origin.x), direction = load(&ray.direction.x);
         const Float4 reach = magnitude(origin - load(tree.middle)) + load(tree.halfSize); // to the farthest corner
         const Float4 margin = largest(reach) * marginOfReach + magnitude(origin) * marginOfOrigin;
         const Float4 towards = withSign(margin, direction);
+        nearOrigin = origin + towards;
+        farOrigin = origin - towards;
 
         // Never zero, so that no distance is infinity minus infinity: so small a slope stays within the margin.
         const Float4 size = magnitude(direction), least = Float4 {} + leastSlope;
-        const Float4 inverse = 1.0f / withSign(size > least ? size : least, direction);
-        const Float4 nearOffset = (origin + towards) * inverse, farOffset = (origin - towards) * inverse;
-        const unsigned negative = Simd::signs(direction);
-        for (int i = 0; i < 3; ++i) {
-            m_inverse[i] = Simd::broadcast(inverse[i]);
-            m_nearOffset[i] = Simd::broadcast(nearOffset[i]);
-            m_farOffset[i] = Simd::broadcast(farOffset[i]);
-            const uint64_t nearRow = (2 * static_cast<unsigned>(i) + ((negative >> i) & 1)) * rowSize;
-            m_nearRows[i] = reinterpret_cast<const char*>(tree.nodes) + nearRow;
-            m_farRows[i] = reinterpret_cast<const char*>(tree.nodes) + (nearRow ^ rowSize);
-        }
+        inverse = 1.0f / withSign(size > least ? size : least, direction);
+        negative = Simd::signs(direction) & 7;
     }
 
-    // Which of the node's boxes the ray meets within the limit; entry becomes where. Kay and Kajiya 1986.
-    [[nodiscard]] unsigned meets(Child node, Floats limit, Floats& entry) const
+    [[nodiscard]] Float4 nearOffset() const { return nearOrigin * inverse; }
+    [[nodiscard]] Float4 farOffset() const { return farOrigin * inverse; }
+
+    // Which row of a node's bounds is the nearer one; the farther one is its neighbour, ^ 1.
+    [[nodiscard]] unsigned nearRow(unsigned axis) const { return 2 * axis + ((negative >> axis) & 1); }
+
+    // Which boxes are met within the limit whose planes are passed there, inwards and outwards; entry becomes where.
+    // Kay and Kajiya 1986.
+    [[nodiscard]] static unsigned meets(const Floats (&in)[3], const Floats (&out)[3], Floats limit, Floats& entry)
     {
-        Floats in[3], out[3];
-        for (int i = 0; i < 3; ++i) {
-            in[i] = Simd::multiplySubtract(row(m_nearRows[i], node), m_inverse[i], m_nearOffset[i]);
-            out[i] = Simd::multiplySubtract(row(m_farRows[i], node), m_inverse[i], m_farOffset[i]);
-        }
         entry = Simd::max(Simd::max(in[0], in[1]), Simd::max(in[2], Simd::broadcast(0.0f)));
         const Floats exit = Simd::min(Simd::min(out[0], out[1]), Simd::min(out[2], limit));
         return Simd::lessEqual(entry, exit);
     }
 
+    Float4 inverse, nearOrigin, farOrigin;
+    unsigned negative; // a bit for each axis
+
 private:
-    static constexpr uint64_t rowSize = width * sizeof(float);
+    using Int4 = int __attribute__((vector_size(16)));
 
     // With u the largest relative error of one rounding, 2^-24. The triangle test moves corners by up to 5 u of what
     // they are away along each of two axes (Woop, Benthin, Wald 2013, section 4), and a ray that it finds on a triangle
@@ -54,15 +53,6 @@ private:
     static constexpr float marginOfReach = 16 * 0x1p-24f; // 10 + 3, and the second order
     static constexpr float marginOfOrigin = 5 * 0x1p-24f;
     static constexpr float leastSlope = 0x1p-80f;
-
-    // Three coordinates, and a fourth that nobody looks at.
-    using Float4 = float __attribute__((vector_size(16)));
-    using Int4 = int __attribute__((vector_size(16)));
-
-    static Floats row(const char* rows, Child node)
-    {
-        return Simd::load(reinterpret_cast<const float*>(rows + node * childUnit));
-    }
 
     static Float4 load(const float* p)
     {
@@ -78,6 +68,45 @@ private:
     static Float4 withSign(Float4 a, Float4 b)
     {
         return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) | (reinterpret_cast<Int4>(b) & ~0x7fffffff));
+    }
+};
+
+// A ray as the box test wants it.
+template <typename Simd> class BoxRay {
+    using Floats = typename Simd::Floats;
+    using Slabs = wide::Slabs<Simd>;
+
+public:
+    BoxRay(const View& tree, const Ray& ray)
+    {
+        const Slabs slabs(tree, ray);
+        const auto nearOffset = slabs.nearOffset(), farOffset = slabs.farOffset();
+        for (unsigned i = 0; i < 3; ++i) {
+            m_inverse[i] = Simd::broadcast(slabs.inverse[i]);
+            m_nearOffset[i] = Simd::broadcast(nearOffset[i]);
+            m_farOffset[i] = Simd::broadcast(farOffset[i]);
+            m_nearRows[i] = reinterpret_cast<const char*>(tree.nodes) + slabs.nearRow(i) * rowSize;
+            m_farRows[i] = reinterpret_cast<const char*>(tree.nodes) + (slabs.nearRow(i) ^ 1) * rowSize;
+        }
+    }
+
+    // Which of the node's boxes the ray meets within the limit; entry becomes where.
+    [[nodiscard]] unsigned meets(Child node, Floats limit, Floats& entry) const
+    {
+        Floats in[3], out[3];
+        for (int i = 0; i < 3; ++i) {
+            in[i] = Simd::multiplySubtract(row(m_nearRows[i], node), m_inverse[i], m_nearOffset[i]);
+            out[i] = Simd::multiplySubtract(row(m_farRows[i], node), m_inverse[i], m_farOffset[i]);
+        }
+        return Slabs::meets(in, out, limit, entry);
+    }
+
+private:
+    static constexpr uint64_t rowSize = width * sizeof(float);
+
+    static Floats row(const char* rows, Child node)
+    {
+        return Simd::load(reinterpret_cast<const float*>(rows + node * childUnit));
     }
 
     const char *m_nearRows[3], *m_farRows[3]; // of the first node

@@ -10,6 +10,8 @@ struct Kernel {
     const char* name; // of the instruction set
     bool (*closest)(const View& tree, const Ray& ray, Hit& hit); // hit is written if there is one
     bool (*closestCounted)(const View& tree, const Ray& ray, Hit& hit, Counters& counters);
+    // For up to mostRays; the primitive of no hit is none.
+    void (*closestOfEach)(const View& tree, const Ray* rays, unsigned count, Hit* hits);
     bool (*occluded)(const View& tree, const Ray& ray);
     bool (*occludedCounted)(const View& tree, const Ray& ray, Counters& counters);
 };

@@ -39,7 +39,12 @@ struct View {
     alignas(16) float middle[4], halfSize[4]; // of the box around all triangles
 };
 
+// Rays that are traced together, at most: a word has a bit for each.
+inline constexpr unsigned mostRays = 64;
+
 struct Hit {
+    static constexpr uint32_t none = ~uint32_t { 0 };
+
     float t; // in units of |direction|
     uint32_t primitive; // index into the triangles that the tree was made of
     float u, v; // weights of the second and the third corner

@@ -1,7 +1,7 @@
 #include "accel/wide/tree.h"
 #include "accel/wide/build.h"
 #include "files/digest.h"
-#include <algorithm>
+#include <array>
 
 namespace accel {
 
@@ -68,6 +68,14 @@ bool WideTree::load(const files::KeptArrays& folder, const std::string& name)
 void WideTree::save(const files::KeptArrays& folder, const std::string& name) const
 {
     folder.save(name, m_nodes, m_blocks, m_view.middle, m_view.halfSize);
+}
+
+void WideTree::closest(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, const wide::Kernel& kernel) const
+{
+    std::array<Hit, wide::mostRays> found;
+    kernel.closestOfEach(m_view, rays.data(), static_cast<unsigned>(rays.size()), found.data());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        hits[i] = found[i].primitive != Hit::none ? std::optional(found[i]) : std::nullopt;
 }
 
 std::optional<WideTree::Hit> WideTree::closest(const Ray& ray, wide::Counters& counters) const

@@ -32,6 +32,10 @@ public:
         return kernel.closest(m_view, ray, hit) ? std::optional(hit) : std::nullopt;
     }
 
+    // The same for each of up to mostRays: sooner if they leave one point in directions that differ little.
+    void closest(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const { closest(rays, hits, m_kernel); }
+    void closest(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, const wide::Kernel& kernel) const;
+
     [[nodiscard]] bool occluded(const Ray& ray) const { return occluded(ray, m_kernel); }
     [[nodiscard]] bool occluded(const Ray& ray, const wide::Kernel& kernel) const
     {

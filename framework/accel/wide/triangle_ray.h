@@ -1,16 +1,22 @@
 #pragma once
-#include "accel/wide/node.h"
-#include <framework/ray.h>
+#include "accel/wide/sheared.h"
 
 namespace accel::wide {
 
 // What a ray knows of the closest hit so far; of one still to be found: the end of the ray, no primitive.
 template <typename Simd> struct Closest {
     explicit Closest(const Ray& ray)
-        : limit(Simd::broadcast(ray.t))
-        , hit { ray.t, none, 0.0f, 0.0f }
+        : Closest(noneYet(ray))
     {
     }
+
+    explicit Closest(const Hit& found)
+        : limit(Simd::broadcast(found.t))
+        , hit(found)
+    {
+    }
+
+    static Hit noneYet(const Ray& ray) { return { ray.t, Hit::none, 0.0f, 0.0f }; }
 
     void offer(const Hit& other)
     {
@@ -18,35 +24,31 @@ template <typename Simd> struct Closest {
             hit = other;
     }
 
-    static constexpr uint32_t none = ~uint32_t { 0 };
     typename Simd::Floats limit; // hit.t
     Hit hit;
 };
 
-// A ray as the triangle test wants it: turned and sheared so that it is the z axis. Woop, Benthin, Wald 2013,
-// "Watertight Ray/Triangle Intersection".
+// A ray as the triangle test wants it.
 template <typename Simd> class TriangleRay {
     using Floats = typename Simd::Floats;
+    using Sheared = wide::Sheared<Simd>;
 
 public:
     explicit TriangleRay(const Ray& ray)
-        : m_ray(ray)
+        : TriangleRay(ray, Shear<Simd>(ray))
     {
-        const float d[3] = { ray.direction.x, ray.direction.y, ray.direction.z };
-        const float origin[3] = { ray.origin.x, ray.origin.y, ray.origin.z };
-        const float x = __builtin_fabsf(d[0]), y = __builtin_fabsf(d[1]), z = __builtin_fabsf(d[2]);
-        const unsigned zLargest = (z > x) & (z > y), yLargest = (y > x) & ~zLargest & 1; // no jumps
-        const unsigned axisZ = 2 * zLargest | yLargest;
-        const unsigned axisX = (9 >> 2 * axisZ) & 3, axisY = (18 >> 2 * axisZ) & 3; // the next two: 1 2 0, 2 0 1
-        const unsigned axes[3] = { axisX, axisY, axisZ };
+    }
+
+    TriangleRay(const Ray& ray, const Shear<Simd>& shear)
+        : m_ray(ray)
+        , m_shearX(Simd::broadcast(shear.x))
+        , m_shearY(Simd::broadcast(shear.y))
+        , m_scale(Simd::broadcast(shear.scale))
+    {
         for (int i = 0; i < 3; ++i) {
-            m_rows[i] = axes[i] * sizeof(Block::positions[0]);
-            m_origin[i] = Simd::broadcast(origin[axes[i]]);
+            m_rows[i] = shear.axes[i] * sizeof(Block::positions[0]);
+            m_origin[i] = Simd::broadcast(shear.origin[i]);
         }
-        const float scale = 1.0f / d[axisZ];
-        m_shearX = Simd::broadcast(d[axisX] * scale);
-        m_shearY = Simd::broadcast(d[axisY] * scale);
-        m_scale = Simd::broadcast(scale);
     }
 
     // Whether a triangle of the block is met within the limit. Where most blocks have none that the ray passes through,
@@ -82,7 +84,7 @@ private:
     // The first part always has some.
     static bool hasTriangles(const Block& block, int first)
     {
-        return first == 0 || (first < width && block.primitives[first] != Closest<Simd>::none);
+        return first == 0 || (first < width && block.primitives[first] != Hit::none);
     }
 
     template <bool mostHaveNone> [[nodiscard]] bool meetsPart(const Part& part, float limit) const
@@ -100,7 +102,7 @@ private:
             return true;
         Closest<Simd> closest(m_ray);
         findEdgeOn(part, m_ray, mask, closest);
-        return closest.hit.primitive != closest.none;
+        return closest.hit.primitive != Hit::none;
     }
 
     void findCloserInPart(const Part& part, Closest<Simd>& closest) const
@@ -129,23 +131,6 @@ private:
         closest.limit = Simd::broadcast(closest.hit.t);
     }
 
-    // The corners seen along the ray. An edge function is negative, positive or zero for all triangles that share the
-    // edge, but for its sign, if the products are rounded before they are subtracted: no fused multiply-add here.
-    struct Sheared {
-        Floats x[3], y[3], z[3]; // of the corners
-        Floats weights[3]; // of the corners, unnormalised
-        Floats least, most; // of the weights
-
-        [[nodiscard]] unsigned candidates() const
-        {
-            const Floats zero = Simd::broadcast(0.0f);
-            return Simd::lessEqual(zero, least) | Simd::lessEqual(most, zero);
-        }
-
-        // Not those that are seen edge-on.
-        [[nodiscard]] unsigned withArea() const { return Simd::less(least, most); }
-    };
-
     [[nodiscard]] const float* row(const Part& part, int axis) const
     {
         const char* row = reinterpret_cast<const char*>(&part.block.positions[0][0][part.first]) + m_rows[axis];
@@ -155,46 +140,25 @@ private:
 
     [[nodiscard]] Sheared shear(const Part& part) const
     {
-        Sheared s;
         const float *const rowX = row(part, 0), *const rowY = row(part, 1), *const rowZ = row(part, 2);
+        Floats corners[3][3];
         for (int corner = 0; corner < 3; ++corner) {
-            s.z[corner] = Simd::load(rowZ + corner * width) - m_origin[2];
-            s.x[corner] = Simd::load(rowX + corner * width) - m_origin[0] - m_shearX * s.z[corner];
-            s.y[corner] = Simd::load(rowY + corner * width) - m_origin[1] - m_shearY * s.z[corner];
+            corners[0][corner] = Simd::load(rowX + corner * width) - m_origin[0];
+            corners[1][corner] = Simd::load(rowY + corner * width) - m_origin[1];
+            corners[2][corner] = Simd::load(rowZ + corner * width) - m_origin[2];
         }
-        s.weights[0] = s.x[2] * s.y[1] - s.y[2] * s.x[1];
-        s.weights[1] = s.x[0] * s.y[2] - s.y[0] * s.x[2];
-        s.weights[2] = s.x[1] * s.y[0] - s.y[1] * s.x[0];
-        s.least = Simd::min(Simd::min(s.weights[0], s.weights[1]), s.weights[2]);
-        s.most = Simd::max(Simd::max(s.weights[0], s.weights[1]), s.weights[2]);
-        return s;
+        return { corners, m_shearX, m_shearY };
     }
 
-    // From the plane's equation, since a weighted sum of the corners loses digits on huge triangles; in the order of
-    // intersectRayWithTriangle, for the same bits. Within what the corners allow but for rounding: seen edge-on, the
-    // equation loses all digits. Not a number gives way to that, as a first operand.
     [[nodiscard]] Floats distances(const Part& part, const Sheared& s) const
     {
-        const float* const origin = &m_ray.origin.x;
-        const float* const direction = &m_ray.direction.x;
-        Floats corner[3], edge1[3], edge2[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const Floats first = part.load(axis, 0);
-            corner[axis] = first - Simd::broadcast(origin[axis]);
-            edge1[axis] = part.load(axis, 1) - first;
-            edge2[axis] = part.load(axis, 2) - first;
-        }
-        const Floats normalX = edge1[1] * edge2[2] - edge1[2] * edge2[1];
-        const Floats normalY = edge1[2] * edge2[0] - edge1[0] * edge2[2];
-        const Floats normalZ = edge1[0] * edge2[1] - edge1[1] * edge2[0];
-        const Floats height = normalX * corner[0] + normalY * corner[1] + normalZ * corner[2];
-        const Floats slope = normalX * Simd::broadcast(direction[0]) + normalY * Simd::broadcast(direction[1])
-            + normalZ * Simd::broadcast(direction[2]);
-
-        const Floats first = s.z[0] * m_scale, second = s.z[1] * m_scale, third = s.z[2] * m_scale;
-        const Floats nearest = Simd::min(Simd::min(first, second), third) * Simd::broadcast(1.0f - 0x1p-21f);
-        const Floats farthest = Simd::max(Simd::max(first, second), third) * Simd::broadcast(1.0f + 0x1p-21f);
-        return Simd::min(Simd::max(height / slope, nearest), farthest);
+        Floats corners[3][3];
+        for (int corner = 0; corner < 3; ++corner)
+            for (int axis = 0; axis < 3; ++axis)
+                corners[corner][axis] = part.load(axis, corner);
+        const TrianglePlane<Simd> plane(corners[0], corners[1], corners[2], &m_ray.origin.x);
+        const float* const d = &m_ray.direction.x;
+        return plane.distances(Simd::broadcast(d[0]), Simd::broadcast(d[1]), Simd::broadcast(d[2]), s, m_scale);
     }
 
     // Triangles whose weights are all zero after rounding. Without area they are not met, but that of a thin one may be
