@@ -31,14 +31,14 @@ static float largestCoordinate(const glm::vec3& v)
 // How far a shadow ray keeps from the surfaces at both of its ends: well above the error of a point that is calculated
 // from these two, well below what can be seen. Roundings are relative to the numbers, whatever the scene's scale: pbrt,
 // "Managing Rounding Error".
-static float shadowOffset(const glm::vec3& from, const glm::vec3& to)
+static inline float shadowOffset(const glm::vec3& from, const glm::vec3& to)
 {
     // 512 roundings; there are about a dozen
     return 0x1p-15f * std::max(largestCoordinate(from), largestCoordinate(to));
 }
 
 // From just above the shaded point to just before the light, direction unit.
-static Ray shadowRay(const glm::vec3& lightPosition, const Ray& ray, const HitInfo& hitInfo)
+static inline Ray shadowRay(const glm::vec3& lightPosition, const Ray& ray, const HitInfo& hitInfo)
 {
     const glm::vec3 point = hitPoint(ray);
     const float offset = shadowOffset(ray.origin, point);
