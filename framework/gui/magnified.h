@@ -2,6 +2,7 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
+#include <imgui.h>
 
 namespace gui {
 
@@ -22,5 +23,12 @@ struct Magnified {
         return glm::all(glm::lessThanEqual(first, point)) && glm::all(glm::lessThanEqual(point, last));
     }
 };
+
+// A point of the part in the window, for Dear ImGui.
+[[nodiscard]] inline ImVec2 at(const Magnified& part, const glm::vec2& point)
+{
+    const glm::vec2 p = part.toWindow(point);
+    return { p.x, p.y };
+}
 
 }

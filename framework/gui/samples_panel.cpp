@@ -10,12 +10,6 @@ namespace {
     constexpr ImU32 edge = IM_COL32(255, 255, 255, 255), grid = IM_COL32(110, 110, 110, 255);
     constexpr ImU32 inside = IM_COL32(255, 220, 90, 255), outside = IM_COL32(255, 70, 60, 255);
 
-    ImVec2 at(const Magnified& pixel, const glm::vec2& point)
-    {
-        const glm::vec2 p = pixel.toWindow(point);
-        return { p.x, p.y };
-    }
-
     void drawGrid(ImDrawList& list, const Magnified& pixel, int inRow)
     {
         constexpr float narrowest = 3.0f; // pixels of the window

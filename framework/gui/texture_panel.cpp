@@ -17,12 +17,6 @@ namespace {
             lookup.texCoord.y);
     }
 
-    ImVec2 at(const Magnified& part, const glm::vec2& point)
-    {
-        const glm::vec2 p = part.toWindow(point);
-        return { p.x, p.y };
-    }
-
     // Reserves room for a part of texture space in the current window. The longer side takes so many pixels of an
     // ordinary screen.
     Magnified reserve(const glm::vec2& first, const glm::vec2& last, float side)

@@ -1,4 +1,5 @@
 #include "submission/includes.h"
+#include "submission/is_below.h"
 #include "submission/paths.h"
 #include <algorithm>
 #include <fstream>
@@ -22,12 +23,6 @@ static bool isOfTheInterface(const fs::path& header)
 {
     const fs::path folder = header.parent_path();
     return folder == framework || folder == framework / "framework" || folder == framework / "imgui";
-}
-
-static bool isBelow(const fs::path& path, const fs::path& folder)
-{
-    const fs::path relative = path.lexically_relative(folder);
-    return !relative.empty() && *relative.begin() != "..";
 }
 
 std::string firstForeignInclude(const fs::path& folder, const std::string& dependencies)

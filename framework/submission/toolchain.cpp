@@ -2,6 +2,7 @@
 #include "files/digest.h"
 #include "files/error.h"
 #include "sandbox/bubblewrap.h"
+#include "submission/is_below.h"
 #include "submission/paths.h"
 #include <algorithm>
 #include <toml++/toml.h>
@@ -27,12 +28,6 @@ namespace {
             if (std::string text = word.value_or<std::string>(""); !text.empty())
                 found.push_back(std::move(text));
         return found;
-    }
-
-    bool isBelow(const fs::path& path, const fs::path& folder)
-    {
-        const fs::path relative = path.lexically_relative(folder);
-        return !relative.empty() && *relative.begin() != "..";
     }
 
     // Programs and libraries below /usr are seen anyway, and of the framework the interface alone.

@@ -1,6 +1,5 @@
 #include "files/digest.h"
 #include "graded.h"
-#include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <cerrno>
 #include <cstdlib>
@@ -14,9 +13,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path source { submission::sourceDirectory };
-const fs::path build { submission::buildDirectory };
 
 std::string replaceAll(std::string text, const std::string& from, const std::string& to)
 {
@@ -34,11 +30,11 @@ struct Attack {
 
 Attack readAttack(const std::string& name)
 {
-    std::ifstream in(source / "tests" / "grading" / "attack" / (name + ".cpp"));
+    std::ifstream in(root / "tests" / "grading" / "attack" / (name + ".cpp"));
     std::string text { std::istreambuf_iterator<char>(in), {} };
     REQUIRE(text.starts_with("// "));
     const std::string status = text.substr(3, text.find(':') - 3);
-    text = replaceAll(replaceAll(text, "@SOURCE@", source.string()), "@BUILD@", build.string());
+    text = replaceAll(replaceAll(text, "@SOURCE@", root.string()), "@BUILD@", build.string());
     if (name.starts_with("bvh_"))
         return { "bvh", status, text };
     if (text.find("sampleTextureNearest") != text.npos)
@@ -54,7 +50,7 @@ std::string digestOfGrader()
 {
     files::Digest digest;
     for (const char* folder : { "framework", "grading", "reference", "scenes" })
-        digest.addFolder(source / folder);
+        digest.addFolder(root / folder);
     for (const char* program : { "raywork-grade", "reference-worker" })
         digest.addFile(build / "grading" / program);
     return digest.addFile(build / "rules.toml").hex();
@@ -71,7 +67,7 @@ bool isAnyoneLeft()
 // What attacks would leave where anybody may write, and beside the grader.
 bool isAnythingLeft()
 {
-    for (const fs::path& folder : { fs::path("/tmp"), fs::path("/var/tmp"), fs::path("/dev/shm"), build, source })
+    for (const fs::path& folder : { fs::path("/tmp"), fs::path("/var/tmp"), fs::path("/dev/shm"), build, root })
         for (const fs::directory_entry& entry : fs::directory_iterator(folder))
             if (const auto name = entry.path().filename().string();
                 name.starts_with("raywork-fill-") || name == "grade.json")
@@ -136,7 +132,7 @@ TEST_CASE("Without Bubblewrap, processes are still neither started nor killed, a
 
 TEST_CASE("A grade says whether the submission was locked in, or is refused", "[grading]")
 {
-    const fs::path folder = source / "reference";
+    const fs::path folder = root / "reference";
     const std::string nowhere = "PATH=/nowhere ";
     const Graded grudging = grade(folder, "--only texture", nowhere);
     INFO(grudging.printed);
@@ -157,14 +153,14 @@ TEST_CASE("A grade says whether the submission was locked in, or is refused", "[
 TEST_CASE("A link to the solution is refused", "[grading]")
 {
     const fs::path folder = folderWithout("texture");
-    fs::create_symlink(source / "reference" / "texture.cpp", folder / "texture.cpp");
+    fs::create_symlink(root / "reference" / "texture.cpp", folder / "texture.cpp");
     expectHarmless(folder, "texture", "refused");
 }
 
 TEST_CASE("A folder that is a link to another is no folder of a submission", "[grading]")
 {
     const fs::path folder = folderWithout("texture");
-    fs::create_directory_symlink(source / "reference", folder / "extra");
+    fs::create_directory_symlink(root / "reference", folder / "extra");
     fs::create_directory(folder / "texture.cpp");
     expectHarmless(folder, "texture", "refused");
 }

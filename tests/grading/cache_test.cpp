@@ -1,5 +1,4 @@
 #include "graded.h"
-#include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -12,8 +11,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path build { submission::buildDirectory };
 
 std::string wrongWeight(const std::string& text)
 {

@@ -1,5 +1,4 @@
 #include "graded.h"
-#include "submission/paths.h"
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -12,8 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path build { submission::buildDirectory };
-const fs::path reference = fs::path(submission::sourceDirectory) / "reference";
+const fs::path reference = root / "reference";
 
 fs::path freshFolder(const std::string& name)
 {

@@ -1,10 +1,14 @@
 #pragma once
+#include "submission/paths.h"
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
 // Helpers of the tests that grade whole folders.
+
+// The checkout, and the build that the tests are part of.
+inline const std::filesystem::path root { submission::sourceDirectory }, build { submission::buildDirectory };
 
 // What ./raywork grade said of a folder.
 struct Graded {

@@ -6,8 +6,6 @@
 
 // Points for standing up to the cases of ./raywork stress.
 
-static const std::filesystem::path root { submission::sourceDirectory };
-
 // The row of a file.
 static nlohmann::json rowOf(const Graded& graded, const std::string& file)
 {

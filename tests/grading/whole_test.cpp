@@ -7,8 +7,6 @@
 
 namespace fs = std::filesystem;
 
-static const fs::path root { submission::sourceDirectory };
-
 TEST_CASE("The reference gets all points", "[grading]")
 {
     const Graded graded = grade(root / "reference");

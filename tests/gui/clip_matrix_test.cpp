@@ -1,7 +1,7 @@
 #include "gui/clip_matrix.h"
+#include "some_camera.h"
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 #include <random>
 
@@ -9,13 +9,6 @@ namespace {
 
 // A float of about 1 has been rounded some ten times: the corners of the picture, a product, a quotient.
 constexpr float roundings = 1e-5f;
-
-Trackball someCamera()
-{
-    Trackball camera { glm::radians(50.0f), 3.0f, 1.6f };
-    camera.setCamera({ 0.1f, -0.2f, 0.3f }, { 0.4f, -1.1f, 0.2f }, 3.0f);
-    return camera;
-}
 
 glm::vec3 toNdc(const glm::mat4& toClip, const Trackball& camera, const glm::vec3& position)
 {

@@ -1,4 +1,5 @@
 #include "gui/light_points.h"
+#include "some_camera.h"
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -9,13 +10,6 @@ namespace {
 constexpr glm::ivec2 size { 320, 200 };
 constexpr float fewRoundings = 1e-5f; // of numbers below 10
 constexpr float rounding = 0.01f; // pixels: floats of a few hundred, rounded a dozen times
-
-Trackball someCamera()
-{
-    Trackball camera { glm::radians(50.0f), 3.0f, 1.6f };
-    camera.setCamera({ 0.1f, -0.2f, 0.3f }, { 0.4f, -1.1f, 0.2f }, 3.0f);
-    return camera;
-}
 
 // One of each kind, around where someCamera looks.
 std::vector<Scene::SceneLight> someLights()

@@ -19,6 +19,15 @@ nlohmann::json figure(const std::string& name, const std::string& submission)
     return nlohmann::json::parse(files::readText(madeReport(submission) / "figures" / (name + ".json")));
 }
 
+void checkClaims(const nlohmann::json& figure)
+{
+    CHECK(!figure.at("claims").empty());
+    for (const nlohmann::json& claim : figure.at("claims")) {
+        INFO(claim.at("text"));
+        CHECK(claim.at("holds") == true);
+    }
+}
+
 std::vector<nlohmann::json> figures(const std::string& submission)
 {
     std::vector<nlohmann::json> all;

@@ -12,6 +12,9 @@ namespace report_test {
 // A figure of it: what its JSON says.
 [[nodiscard]] nlohmann::json figure(const std::string& name, const std::string& submission = "reference");
 
+// It claims something, and all of that holds.
+void checkClaims(const nlohmann::json& figure);
+
 // All of them.
 [[nodiscard]] std::vector<nlohmann::json> figures(const std::string& submission);
 

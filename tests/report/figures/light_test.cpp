@@ -7,17 +7,9 @@
 #include <set>
 
 using nlohmann::json;
-using report_test::figure;
+using report_test::checkClaims, report_test::figure;
 
 namespace {
-
-void checkClaims(const json& drawn)
-{
-    for (const json& claim : drawn.at("claims")) {
-        INFO(claim.at("text"));
-        CHECK(claim.at("holds") == true);
-    }
-}
 
 std::vector<glm::vec2> randomPoints(uint32_t seed, std::size_t count)
 {

@@ -4,18 +4,9 @@
 #include <catch2/catch.hpp>
 
 using nlohmann::json;
-using report_test::figure;
+using report_test::checkClaims, report_test::figure;
 
 namespace {
-
-void checkClaims(const json& drawn)
-{
-    CHECK(!drawn.at("claims").empty());
-    for (const json& claim : drawn.at("claims")) {
-        INFO(claim.at("text"));
-        CHECK(claim.at("holds") == true);
-    }
-}
 
 std::vector<glm::vec2> pointsOf(const json& rows)
 {
