@@ -43,6 +43,7 @@ target_link_libraries(validation PUBLIC submission PRIVATE raywork_warnings)
 
 add_executable(raywork-grade
     grade_main.cpp options.cpp growing_grade.cpp stress_rows.cpp supervisor.cpp watch.cpp)
+set_target_properties(raywork-grade PROPERTIES UNITY_BUILD ON)
 target_link_libraries(raywork-grade PRIVATE
     validation grading stress CLI11::CLI11 raywork_warnings raywork_compile_fast)
 add_dependencies(raywork-grade reference-worker)

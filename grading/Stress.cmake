@@ -13,4 +13,5 @@ target_link_libraries(stress PUBLIC submission nlohmann_json::nlohmann_json PRIV
 
 add_executable(raywork-stress stress/stress_main.cpp harmless.cpp report.cpp write_whole.cpp unfinished_file.cpp
     ${CMAKE_SOURCE_DIR}/framework/app/progress_bar.cpp)
+set_target_properties(raywork-stress PROPERTIES UNITY_BUILD ON)
 target_link_libraries(raywork-stress PRIVATE stress CLI11::CLI11 raywork_warnings raywork_compile_fast)

@@ -1,5 +1,4 @@
 #pragma once
-#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <utility>

@@ -13,7 +13,7 @@ namespace {
     constexpr Style plain { 1.0f, 1.0f, 2.0f, false }, strong { 1.0f, 1.0f, 5.0f, true };
     constexpr Style dimmed { 0.4f, 0.4f, 1.5f, false }; // darker, since many at one place add up to be opaque
 
-    ImU32 colorOf(const debug::Stroke& stroke, float brightness, float opacity)
+    ImU32 packedColorOf(const debug::Stroke& stroke, float brightness, float opacity)
     {
         const glm::vec3 c = brightness * glm::clamp(stroke.color, 0.0f, 1.0f);
         return ImGui::GetColorU32({ c.x, c.y, c.z, opacity });
@@ -23,13 +23,13 @@ namespace {
     {
         const auto count = static_cast<int>(points.size());
         const float width = style.width * scale();
-        const ImU32 color = colorOf(stroke, style.brightness, stroke.opacity * style.opacity);
+        const ImU32 color = packedColorOf(stroke, style.brightness, stroke.opacity * style.opacity);
         if (!stroke.isFilled)
             return list.AddPolyline(points.data(), count, color, ImDrawFlags_None, width);
         list.AddConvexPolyFilled(points.data(), count, color);
         if (style.isOutlined)
-            list.AddPolyline(
-                points.data(), count, colorOf(stroke, style.brightness, style.opacity), ImDrawFlags_Closed, width);
+            list.AddPolyline(points.data(), count, packedColorOf(stroke, style.brightness, style.opacity),
+                ImDrawFlags_Closed, width);
     }
 
 }

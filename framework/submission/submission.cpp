@@ -19,17 +19,17 @@ std::vector<std::string> Submission::names() const
     return names;
 }
 
-void Submission::buildFeatureWorkers(const std::vector<std::string>& features)
+void Submission::buildFeatureWorkers(const std::vector<std::string>& wanted)
 {
-    for (const std::string& feature : features)
+    for (const std::string& feature : wanted)
         m_workers[feature];
-    tbb::parallel_for_each(features, [&](const std::string& feature) {
+    tbb::parallel_for_each(wanted, [&](const std::string& feature) {
         compileOnce(feature);
         linkWorker(feature);
     });
 
     // A file may use functions of the submission's other files. Then it is tried together with all of them.
-    for (const std::string& feature : features) {
+    for (const std::string& feature : wanted) {
         Program& worker = m_workers.at(feature);
         if (worker.errors.empty())
             continue;

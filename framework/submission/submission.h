@@ -18,7 +18,7 @@ public:
 
     // For each of these features a worker with the submission's file for it and the reference's for all others, so that
     // a mistake in one file is not seen in another's results.
-    void buildFeatureWorkers(const std::vector<std::string>& features);
+    void buildFeatureWorkers(const std::vector<std::string>& wanted);
 
     // One worker with all files of the submission, stubs in place of those that are missing or refused.
     // rest: see Toolchain::restOf. Throws std::runtime_error when not even that links.
