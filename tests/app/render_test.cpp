@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
