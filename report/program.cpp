@@ -5,7 +5,7 @@
 namespace report {
 
 // A shell's word with any text in it.
-static std::string quoted(const std::string& text)
+static std::string wordOfShell(const std::string& text)
 {
     std::string word = "'";
     for (const char c : text)
@@ -17,7 +17,7 @@ std::string runProgram(const std::vector<std::string>& words)
 {
     std::string command;
     for (const std::string& word : words)
-        command += quoted(word) + " ";
+        command += wordOfShell(word) + " ";
     FILE* const pipe = popen((command + "2>&1 </dev/null").c_str(), "r");
     if (!pipe)
         throw ProgramFailed(words.front() + " cannot be started");
