@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    static constexpr unsigned few = 3; // so many rays are not faster together
+    static constexpr unsigned few = 3; // rays fewer than these are faster alone
 
     static bool areFromOnePoint(const Ray* rays, unsigned count)
     {
