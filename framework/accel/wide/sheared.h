@@ -61,6 +61,14 @@ template <typename Simd> struct Sheared {
     // Not those that are seen edge-on.
     [[nodiscard]] unsigned withArea() const { return Simd::less(least, most); }
 
+    // Those of the second and the third corner, normalised: as many numbers each as a register has.
+    void storeWeights(float* second, float* third) const
+    {
+        const Floats sum = weights[0] + weights[1] + weights[2];
+        Simd::store(second, weights[1] / sum);
+        Simd::store(third, weights[2] / sum);
+    }
+
     Floats x[3], y[3], z[3]; // of the corners
     Floats weights[3]; // of the corners, unnormalised
     Floats least, most; // of the weights

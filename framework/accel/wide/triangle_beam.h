@@ -131,10 +131,8 @@ private:
             return;
         const unsigned withArea = s.withArea();
         alignas(64) float ts[Simd::size], us[Simd::size], vs[Simd::size];
-        const Floats sum = s.weights[0] + s.weights[1] + s.weights[2];
         Simd::store(ts, t);
-        Simd::store(us, s.weights[1] / sum);
-        Simd::store(vs, s.weights[2] / sum);
+        s.storeWeights(us, vs);
         for (; mask != 0; mask &= mask - 1) {
             const int i = __builtin_ctz(mask);
             const unsigned ray = first + static_cast<unsigned>(i);
