@@ -112,7 +112,7 @@ TEST_CASE("A mistake of light fails cases of its own function", "[stress]")
     const auto folder = build(submission);
     for (const auto& [file, name, found] : submission) {
         INFO(file << ": " << name);
-        const Stressed stressed = stress(folder, "--cases 8000 --only " + found);
+        const Stressed stressed = stress(folder, "--cases 2000 --only " + found);
         INFO(stressed.printed);
         CHECK(stressed.exitCode == 1);
         REQUIRE(!stressed.json.is_null());
