@@ -1,11 +1,12 @@
 #pragma once
+#include "accel/wide/margin.h"
 #include "accel/wide/node.h"
 #include <framework/ray.h>
 
 namespace accel::wide {
 
-// Where a ray passes planes across each axis: at a plane's place * inverse - offset. All that rounding may take away,
-// here and in the triangle test, is given to the boxes beforehand: they count as larger by a margin.
+// Where a ray passes planes across each axis: at a plane's place * inverse - offset. The margin of the boxes is in the
+// offsets. What follows another ray waits for all of this: few steps after one another count, not few in all.
 template <typename Simd> struct Slabs {
     using Floats = typename Simd::Floats;
     // Three coordinates, and a fourth that nobody looks at.
@@ -14,9 +15,8 @@ template <typename Simd> struct Slabs {
     Slabs(const View& tree, const Ray& ray)
     {
         const Float4 origin = load(&ray.origin.x), direction = load(&ray.direction.x);
-        const Float4 reach = magnitude(origin - load(tree.middle)) + load(tree.halfSize); // to the farthest corner
-        const Float4 margin = largest(reach) * marginOfReach + magnitude(origin) * marginOfOrigin;
-        const Float4 towards = withSign(margin, direction);
+        const float margin = marginOf(tree, origin);
+        const Float4 towards = withSign(Float4 { margin, margin, margin, margin }, direction);
         nearOrigin = origin + towards;
         farOrigin = origin - towards;
 
@@ -47,24 +47,29 @@ template <typename Simd> struct Slabs {
 private:
     using Int4 = int __attribute__((vector_size(16)));
 
-    // With u the largest relative error of one rounding, 2^-24. The triangle test moves corners by up to 5 u of what
-    // they are away along each of two axes (Woop, Benthin, Wald 2013, section 4), and a ray that it finds on a triangle
-    // must pass through its box; a distance to a plane has 3 u of the way, and 4 u of the coordinates.
-    static constexpr float marginOfReach = 16 * 0x1p-24f; // 10 + 3, and the second order
-    static constexpr float marginOfOrigin = 5 * 0x1p-24f;
     static constexpr float leastSlope = 0x1p-80f;
+
+    // Neither the farthest corner nor zero is farther from the origin than the tree's middle is, and they from that.
+    static float marginOf(const View& tree, Float4 origin)
+    {
+        return largest(magnitude(origin - load(tree.middle))) * (marginOfReach + marginOfOrigin) + tree.margin;
+    }
 
     static Float4 load(const float* p)
     {
         Float4 a;
         __builtin_memcpy(&a, p, sizeof a);
-        a[3] = 1.0f; // whatever was there: numbers too small to be normal take long
         return a;
     }
 
     static float max(float a, float b) { return a > b ? a : b; }
     static float largest(Float4 a) { return max(max(a[0], a[1]), a[2]); }
-    static Float4 magnitude(Float4 a) { return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) & 0x7fffffff); }
+    // Of the fourth, which may be anything: zero. Numbers too small to be normal take long.
+    static Float4 magnitude(Float4 a)
+    {
+        return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) & Int4 { 0x7fffffff, 0x7fffffff, 0x7fffffff, 0 });
+    }
+
     static Float4 withSign(Float4 a, Float4 b)
     {
         return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) | (reinterpret_cast<Int4>(b) & ~0x7fffffff));

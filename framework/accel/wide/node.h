@@ -36,7 +36,8 @@ struct View {
     const Node* nodes; // the root first
     const Block* blocks;
     uint32_t numNodes, numBlocks;
-    alignas(16) float middle[4], halfSize[4]; // of the box around all triangles
+    alignas(16) float middle[4]; // of the box around all triangles
+    float margin; // what of the boxes' is the same for all rays
 };
 
 // Rays that are traced together, at most: a word has a bit for each.

@@ -1,12 +1,15 @@
 #include "accel/wide/tree.h"
 #include "accel/wide/build.h"
+#include "accel/wide/margin.h"
 #include "files/digest.h"
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace accel {
 
 // To be changed with what a node, a block or a building of them means.
-static constexpr std::string_view keptVersion = "wide tree 2";
+static constexpr std::string_view keptVersion = "wide tree 3";
 
 WideTree::WideTree(const Triangles& triangles, const wide::Kernel& kernel)
     : m_kernel(kernel)
@@ -14,14 +17,21 @@ WideTree::WideTree(const Triangles& triangles, const wide::Kernel& kernel)
     wide::Built built = wide::build(triangles);
     m_nodes = std::move(built.wide.nodes);
     m_blocks = std::move(built.wide.blocks);
-    if (!m_blocks.empty()) {
-        const wide::Box& box = built.box;
-        for (int i = 0; i < 3; ++i) {
-            m_view.middle[i] = 0.5f * box.lower[i] + 0.5f * box.upper[i];
-            m_view.halfSize[i] = (0.5f * box.upper[i] - 0.5f * box.lower[i]) * (1.0f + 1e-6f); // no less after rounding
-        }
-    }
+    if (!m_blocks.empty())
+        showBox(built.box);
     showArrays();
+}
+
+void WideTree::showBox(const wide::Box& box)
+{
+    float halfSize = 0.0f, farthest = 0.0f; // of the middle, from zero
+    for (int axis = 0; axis < 3; ++axis) {
+        const float lower = 0.5f * box.lower[axis], upper = 0.5f * box.upper[axis];
+        m_view.middle[axis] = lower + upper;
+        halfSize = std::max(halfSize, upper - lower);
+        farthest = std::max(farthest, std::abs(m_view.middle[axis]));
+    }
+    m_view.margin = wide::marginOfReach * halfSize + wide::marginOfOrigin * farthest;
 }
 
 void WideTree::showArrays()
@@ -59,7 +69,7 @@ WideTree WideTree::keptIn(const files::KeptArrays& folder, const Triangles& tria
 
 bool WideTree::load(const files::KeptArrays& folder, const std::string& name)
 {
-    if (!folder.load(name, m_nodes, m_blocks, m_view.middle, m_view.halfSize))
+    if (!folder.load(name, m_nodes, m_blocks, m_view.middle, m_view.margin))
         return false;
     showArrays();
     return true;
@@ -67,7 +77,7 @@ bool WideTree::load(const files::KeptArrays& folder, const std::string& name)
 
 void WideTree::save(const files::KeptArrays& folder, const std::string& name) const
 {
-    folder.save(name, m_nodes, m_blocks, m_view.middle, m_view.halfSize);
+    folder.save(name, m_nodes, m_blocks, m_view.middle, m_view.margin);
 }
 
 void WideTree::closest(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, const wide::Kernel& kernel) const
