@@ -88,15 +88,17 @@ namespace {
         FeatureGrader(const Grading& grading, const Feature& feature)
             : m_grading(grading)
             , m_part(grading.submission.part(feature.file))
+            , m_whyUntouched(grading.submission.whyUntouched(feature.file))
+            , m_worker(grading.submission.featureWorker(feature.file))
         {
-            if (m_part.state != submission::State::Refused)
-                m_worker = grading.submission.featureWorker(feature.file);
         }
 
         [[nodiscard]] Row grade(const Check& check)
         {
             if (m_part.state == submission::State::Refused)
                 return toRow(check, { Status::Refused, m_part.message });
+            if (!m_whyUntouched.empty())
+                return toRow(check, { Status::NotAttempted, m_whyUntouched });
             const uint64_t seed = m_grading.assignment.secret.seedOf(m_worker.key, check.name);
             const std::string key = files::Digest()
                                         .add(m_worker.key)
@@ -136,7 +138,8 @@ namespace {
 
         const Grading& m_grading;
         submission::Part m_part;
-        submission::Program m_worker;
+        std::string m_whyUntouched;
+        submission::Program m_worker; // if it was built
         Patience m_patience;
     };
 

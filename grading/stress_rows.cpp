@@ -94,6 +94,8 @@ namespace {
 
     Verdict ask(const Assignment& assignment, submission::Submission& submission, const StressedFile& file)
     {
+        if (const std::string& why = submission.whyUntouched(file.name); !why.empty())
+            return { Status::NotAttempted, why };
         const submission::Program worker = submission.buildStressedWorker(file.name);
         if (const submission::Part& part = submission.part(file.name); part.state == submission::State::Refused)
             return { Status::Refused, part.message };

@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "files/text.h"
 #include "submission/features.h"
+#include "submission/handed_out.h"
 #include <algorithm>
 #include <cctype>
 #include <vector>
@@ -41,7 +42,12 @@ namespace {
 
     Source refuse(const fs::path& source, const std::string& why)
     {
-        return { refused(source.filename().string() + ": " + why + "\n"), "" };
+        return { refused(source.filename().string() + ": " + why + "\n"), "", "" };
+    }
+
+    std::string whyUntouched(const fs::path& source, const std::string& text)
+    {
+        return isAsHandedOut(source.stem().string(), text) ? source.filename().string() + ": as it was handed out" : "";
     }
 
     Source read(const fs::path& source)
@@ -51,13 +57,14 @@ namespace {
         std::error_code hidden;
         const fs::file_status status = fs::symlink_status(source, hidden);
         if (!fs::exists(status))
-            return {};
+            return { {}, "", source.filename().string() + ": no such file" };
         if (!fs::is_regular_file(status))
             return refuse(source, "not a plain file");
         if (fs::file_size(source, hidden) > maxBytes) // also if there is no telling
             return refuse(source, "larger than a megabyte");
         try {
-            return { { State::Taken, "", "" }, files::readText(source) };
+            const std::string text = files::readText(source);
+            return { { State::Taken, "", "" }, text, whyUntouched(source, text) };
         } catch (const files::Error& error) {
             return refuse(source, "cannot be read");
         }

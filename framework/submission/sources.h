@@ -9,6 +9,7 @@ namespace submission {
 struct Source {
     Part part; // missing, taken or refused
     std::string text; // if taken
+    std::string whyUntouched; // why there is nothing of its author's in it; empty if there is
 };
 
 // By file name without ".cpp": a feature, or an extension such as "extra/bloom".

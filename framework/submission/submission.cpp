@@ -24,8 +24,8 @@ void Submission::buildFeatureWorkers(const std::vector<std::string>& wanted)
     for (const std::string& feature : wanted)
         m_workers[feature];
     tbb::parallel_for_each(wanted, [&](const std::string& feature) {
-        compileOnce(feature);
-        linkWorker(feature);
+        if (whyUntouched(feature).empty())
+            buildFeatureWorker(feature);
     });
 
     // A file may use functions of the submission's other files. Then it is tried together with all of them.
@@ -41,13 +41,11 @@ void Submission::buildFeatureWorkers(const std::vector<std::string>& wanted)
     }
 }
 
-void Submission::linkWorker(const std::string& feature)
+void Submission::buildFeatureWorker(const std::string& feature)
 {
-    const State state = part(feature).state;
-    if (state == State::Built)
+    compileOnce(feature);
+    if (part(feature).state == State::Built)
         m_workers.at(feature) = link({ m_objects.at(feature) }, feature);
-    else if (state == State::Missing)
-        m_workers.at(feature) = link({}, feature);
 }
 
 std::filesystem::path Submission::buildWholeWorker(const std::string& rest)

@@ -16,8 +16,8 @@ public:
     // Throws files::Error when the directory is no folder.
     explicit Submission(const std::filesystem::path& directory);
 
-    // For each of these features a worker with the submission's file for it and the reference's for all others, so that
-    // a mistake in one file is not seen in another's results.
+    // For each of these features, but those untouched, a worker with the submission's file for it and the reference's
+    // for all others, so that a mistake in one file is not seen in another's results.
     void buildFeatureWorkers(const std::vector<std::string>& wanted);
 
     // One worker with all files of the submission, stubs in place of those that are missing or refused.
@@ -30,6 +30,11 @@ public:
 
     // What became of a file, once it was needed.
     [[nodiscard]] const Part& part(const std::string& name) const { return m_sources.at(name).part; }
+    // Why there is nothing of its author's in a file, so that nothing need be asked; empty if there is.
+    [[nodiscard]] const std::string& whyUntouched(const std::string& name) const
+    {
+        return m_sources.at(name).whyUntouched;
+    }
     [[nodiscard]] std::vector<std::string> names() const;
     [[nodiscard]] double compileSeconds(const std::string& name) const { return m_objects.at(name).seconds; }
     [[nodiscard]] const Program& featureWorker(const std::string& feature) const { return m_workers.at(feature); }
@@ -37,7 +42,7 @@ public:
 private:
     void compileAll();
     void compileOnce(const std::string& name);
-    void linkWorker(const std::string& feature);
+    void buildFeatureWorker(const std::string& feature);
     [[nodiscard]] std::vector<Object> builtObjects() const;
 
     Sources m_sources;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -32,27 +33,46 @@ TEST_CASE("The reference gets all points for other random inputs", "[grading]")
     CHECK(graded.json.at("score") == 100);
 }
 
-TEST_CASE("The stubs get no points, and every row says that they are not attempted", "[grading]")
+// None of the checks has points or is attempted; its message contains that.
+static void checkNotAttempted(const Graded& graded, const std::string& message)
 {
-    const Graded graded = grade(root / "student");
     INFO(graded.printed);
     CHECK(graded.exitCode == 0);
     CHECK(graded.json.at("score") == 0);
     CHECK(graded.json.at("max_score") == 100);
-    for (const auto& check : graded.json.at("checks"))
+    for (const auto& check : graded.json.at("checks")) {
         CHECK(check.at("status") == "not attempted");
+        CHECK_THAT(check.at("message").get<std::string>(), Catch::Contains(message));
+    }
+}
+
+TEST_CASE("The stubs get no points, and every row says that they are not attempted", "[grading]")
+{
+    const fs::path folder = workFolder() / "stubs";
+    fs::create_directory(folder);
+    for (const auto& file : fs::directory_iterator(root / "student"))
+        if (file.path().extension() == ".cpp")
+            std::ofstream(folder / file.path().filename()) << "// mine\n" << std::ifstream(file.path()).rdbuf();
+    checkNotAttempted(grade(folder), "not written yet: ");
+}
+
+TEST_CASE("What is as it was handed out is not attempted, and neither compiled nor asked", "[grading]")
+{
+    const fs::path times = workFolder() / "times.json";
+    checkNotAttempted(grade(root / "student", "--fresh --times '" + times.string() + "'"), ".cpp: as it was handed out");
+    const nlohmann::json files = nlohmann::json::parse(std::ifstream(times)).at("files");
+    REQUIRE(files.size() == 7);
+    for (const auto& [name, seconds] : files.items()) {
+        CHECK(seconds.at("compiling") == 0.0);
+        CHECK(seconds.at("linking") == 0.0);
+    }
 }
 
 TEST_CASE("An empty folder is graded like the stubs", "[grading]")
 {
     const fs::path empty = workFolder() / "empty";
     fs::create_directory(empty);
-    const Graded graded = grade(empty);
-    INFO(graded.printed);
-    CHECK(graded.exitCode == 0);
-    CHECK(graded.json.at("score") == 0);
-    for (const auto& check : graded.json.at("checks"))
-        CHECK(check.at("status") == "not attempted");
+    checkNotAttempted(grade(empty), ".cpp: no such file");
 }
 
 TEST_CASE("One feature can be graded alone", "[grading]")
