@@ -59,7 +59,8 @@ TEST_CASE("The stubs get no points, and every row says that they are not attempt
 TEST_CASE("What is as it was handed out is not attempted, and neither compiled nor asked", "[grading]")
 {
     const fs::path times = workFolder() / "times.json";
-    checkNotAttempted(grade(root / "student", "--fresh --times '" + times.string() + "'"), ".cpp: as it was handed out");
+    checkNotAttempted(
+        grade(root / "student", "--fresh --times '" + times.string() + "'"), ".cpp: as it was handed out");
     const nlohmann::json files = nlohmann::json::parse(std::ifstream(times)).at("files");
     REQUIRE(files.size() == 7);
     for (const auto& [name, seconds] : files.items()) {
