@@ -23,20 +23,19 @@ const LinearGradient comparison { .components = {
 
 }
 
-glm::vec3 computeShading(RenderState& state, const glm::vec3& cameraDirection, const glm::vec3& lightDirection,
-    const glm::vec3& lightColor, const HitInfo& hitInfo)
+// By the model that is switched on, on a surface of this colour.
+static glm::vec3 shade(RenderState& state, const glm::vec3& cameraDirection, const glm::vec3& lightDirection,
+    const glm::vec3& lightColor, const HitInfo& hitInfo, const glm::vec3& kd)
 {
     if (!state.features.enableShading)
-        return lightColor * sampleMaterialKd(state, hitInfo);
-
-    const auto kd = [&] { return sampleMaterialKd(state, hitInfo); }; // no texture is looked up for nothing
+        return lightColor * kd;
     switch (state.features.shadingModel) {
     case ShadingModel::Lambertian:
-        return computeLambertianModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd());
+        return computeLambertianModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd);
     case ShadingModel::Phong:
-        return computePhongModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd());
+        return computePhongModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd);
     case ShadingModel::BlinnPhong:
-        return computeBlinnPhongModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd());
+        return computeBlinnPhongModel(state, cameraDirection, lightDirection, lightColor, hitInfo, kd);
     case ShadingModel::LinearGradient:
         return computeLinearGradientModel(state, cameraDirection, lightDirection, lightColor, hitInfo, gradient);
     case ShadingModel::LinearGradientComparison:
@@ -44,4 +43,28 @@ glm::vec3 computeShading(RenderState& state, const glm::vec3& cameraDirection, c
             state, cameraDirection, lightDirection, lightColor, hitInfo, comparison);
     }
     return glm::vec3(0.0f);
+}
+
+// A gradient takes the place of the surface's colour: no texture is looked up for nothing.
+static bool isByGradient(const Features& features)
+{
+    return features.enableShading
+        && (features.shadingModel == ShadingModel::LinearGradient
+            || features.shadingModel == ShadingModel::LinearGradientComparison);
+}
+
+// Apart, so that the usual case needs no stack for it.
+[[gnu::noinline]] static glm::vec3 shadeTextured(RenderState& state, const glm::vec3& cameraDirection,
+    const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo)
+{
+    const glm::vec3 kd = sampleMaterialKd(state, hitInfo);
+    return shade(state, cameraDirection, lightDirection, lightColor, hitInfo, kd);
+}
+
+glm::vec3 computeShading(RenderState& state, const glm::vec3& cameraDirection, const glm::vec3& lightDirection,
+    const glm::vec3& lightColor, const HitInfo& hitInfo)
+{
+    if (state.needs.textures && !isByGradient(state.features))
+        return shadeTextured(state, cameraDirection, lightDirection, lightColor, hitInfo);
+    return shade(state, cameraDirection, lightDirection, lightColor, hitInfo, hitInfo.material.kd);
 }

@@ -4,11 +4,17 @@
 // own. Of those the address is null.
 namespace provided {
 
-[[gnu::weak]] extern const char shadingMark, lambertianMark, phongMark, blinnPhongMark, pixelRaysMark, raysMark;
+[[gnu::weak]] extern const char shadingMark, lambertianMark, phongMark, blinnPhongMark, colorMark, pixelRaysMark,
+    raysMark;
 
 [[nodiscard]] inline bool hasOwnModels()
 {
     return !(&shadingMark && &lambertianMark && &phongMark && &blinnPhongMark);
+}
+
+[[nodiscard]] inline bool hasOwnColors()
+{
+    return !&colorMark;
 }
 
 [[nodiscard]] inline bool hasOwnPixels()

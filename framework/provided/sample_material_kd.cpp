@@ -1,7 +1,10 @@
 #include "debug/recording.h"
 #include "debug/tally.h"
+#include "provided/marks.h"
 #include "shading.h"
 #include "texture.h"
+
+const char provided::colorMark = 0;
 
 glm::vec3 sampleMaterialKd(RenderState& state, const HitInfo& hitInfo)
 {

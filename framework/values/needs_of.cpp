@@ -42,6 +42,8 @@ namespace {
 
     std::string whyNoTextures(const Subject& s)
     {
+        if (provided::hasOwnColors())
+            return "";
         if (!s.features.enableTextureMapping)
             return "texture_mapping is off";
         return s.anyMaterial([](const Material& m) { return m.kdTexture != nullptr; }) ? "" : "no material has one";

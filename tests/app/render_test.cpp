@@ -29,6 +29,17 @@ std::string sceneFile(const std::string& text)
     return path.string();
 }
 
+// Its bytes. with: student, or a submission's folder.
+std::string smallPicture(const std::string& scene, const fs::path& with, const std::string& setting)
+{
+    const std::string output = (work / "small.exr").string();
+    const Outcome outcome = render(scenes + scene + ".toml --size 24x18 --with '" + with.string() + "' -o '" + output
+        + "' --set reflections=true --set transparency=true --set " + setting);
+    REQUIRE(outcome.exitCode == 0);
+    // The file says when it was made.
+    return std::regex_replace(bytesOf(output), std::regex(R"(\d{4}:\d\d:\d\d \d\d:\d\d:\d\d)"), "");
+}
+
 }
 
 TEST_CASE("Bad input to render ends with exit code 2 and one line that says where", "[render]")
@@ -209,19 +220,22 @@ TEST_CASE("The texels of a lookup are told with their weights", "[render]")
 
 TEST_CASE("What is skipped changes no pixel, whoever wrote the code", "[render]")
 {
-    const std::string folder(submission::sourceDirectory);
-    const std::string with = GENERATE_COPY(values<std::string>(
-        { "student", "'" + folder + "/tests/grading/course'", "'" + folder + "/tests/grading/course_2023'" }));
+    const fs::path folder(submission::sourceDirectory);
+    const fs::path with = GENERATE_COPY(values<fs::path>(
+        { "student", folder / "tests" / "grading" / "course", folder / "tests" / "grading" / "course_2023" }));
     const std::string scene = GENERATE(values<std::string>({ "cornell_box", "transparent_shadows", "soft_shadows" }));
-    const auto pictureWith = [&](const std::string& skipping) {
-        const std::string output = (work / (skipping + ".exr")).string();
-        const Outcome outcome = render(scenes + scene + ".toml --size 24x18 --with " + with + " -o '" + output
-            + "' --set reflections=true --set transparency=true --set skipping=" + skipping);
-        REQUIRE(outcome.exitCode == 0);
-        // The file says when it was made.
-        return std::regex_replace(bytesOf(output), std::regex(R"(\d{4}:\d\d:\d\d \d\d:\d\d:\d\d)"), "");
-    };
-    CHECK(pictureWith("true") == pictureWith("false"));
+    CHECK(smallPicture(scene, with, "skipping=true") == smallPicture(scene, with, "skipping=false"));
+}
+
+TEST_CASE("Whoever gives surfaces colours of their own is asked for them, also where no texture is", "[render]")
+{
+    const fs::path reference = fs::path(submission::sourceDirectory) / "reference", own = work / "own colours";
+    fs::create_directories(own);
+    fs::copy(reference, own, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    std::ofstream(own / "shading.cpp", std::ios::app)
+        << "glm::vec3 sampleMaterialKd(RenderState&, const HitInfo&) { return glm::vec3(0.25f, 0.5f, 0.75f); }\n";
+    CHECK(smallPicture("cornell_box", own, "skipping=true") == smallPicture("cornell_box", own, "skipping=false"));
+    CHECK(smallPicture("cornell_box", own, "skipping=true") != smallPicture("cornell_box", reference, "skipping=true"));
 }
 
 TEST_CASE("What a picture needs is explained, with why the rest is left out", "[render]")
