@@ -19,6 +19,12 @@ enum class DrawMode { Filled, Wireframe };
 
 enum class ShadingModel { Lambertian = 0, Phong = 1, BlinnPhong = 2, LinearGradient = 3, LinearGradientComparison = 4 };
 
+// Whether a gradient takes the place of the surface's colour.
+[[nodiscard]] inline bool isByGradient(ShadingModel model)
+{
+    return model == ShadingModel::LinearGradient || model == ShadingModel::LinearGradientComparison;
+}
+
 // What a ray met at origin + t * direction.
 struct HitInfo {
     glm::vec3 normal; // unit, on the side the ray came from

@@ -5,7 +5,7 @@
 struct SceneNeeds {
     bool triangles = true;
     bool spheres = true;
-    bool textures = true;
+    bool textures = true; // or colours of surfaces by a function of the submission
     bool shadingNormals = true; // interpolated from those of the corners
     bool mirrors = true;
     bool transparency = true;

@@ -45,12 +45,11 @@ static glm::vec3 shade(RenderState& state, const glm::vec3& cameraDirection, con
     return glm::vec3(0.0f);
 }
 
-// A gradient takes the place of the surface's colour: no texture is looked up for nothing.
-static bool isByGradient(const Features& features)
+// No texture is looked up for nothing.
+static bool needsLookup(const RenderState& state)
 {
-    return features.enableShading
-        && (features.shadingModel == ShadingModel::LinearGradient
-            || features.shadingModel == ShadingModel::LinearGradientComparison);
+    const Features& features = state.features;
+    return state.needs.textures && !(features.enableShading && isByGradient(features.shadingModel));
 }
 
 // Apart, so that the usual case needs no stack for it.
@@ -64,7 +63,7 @@ static bool isByGradient(const Features& features)
 glm::vec3 computeShading(RenderState& state, const glm::vec3& cameraDirection, const glm::vec3& lightDirection,
     const glm::vec3& lightColor, const HitInfo& hitInfo)
 {
-    if (state.needs.textures && !isByGradient(state.features))
+    if (needsLookup(state))
         return shadeTextured(state, cameraDirection, lightDirection, lightColor, hitInfo);
     return shade(state, cameraDirection, lightDirection, lightColor, hitInfo, hitInfo.material.kd);
 }

@@ -5,8 +5,8 @@ namespace submission {
 
 // How far a file of a submission got.
 enum class State {
-    Missing, // no such file: stubs stand in
-    Taken, // read, not yet compiled
+    Missing, // no such file: where a worker has all files, stubs stand in
+    Taken, // read, and not compiled so far
     Built,
     Refused, // not a plain file, does not compile, or does not link
 };

@@ -45,26 +45,27 @@ namespace {
         return { refused(source.filename().string() + ": " + why + "\n"), "", "" };
     }
 
-    std::string whyUntouched(const fs::path& source, const std::string& text)
+    std::string whyUntouched(const std::string& name, const std::string& text)
     {
-        return isAsHandedOut(source.stem().string(), text) ? source.filename().string() + ": as it was handed out" : "";
+        return isAsHandedOut(name, text) ? name + ".cpp: as it was handed out" : "";
     }
 
-    Source read(const fs::path& source)
+    Source read(const fs::path& submission, const std::string& name)
     {
+        const fs::path source = submission / (name + ".cpp");
         if (!isPlainName(source.stem().string()))
             return refuse(source, "its name has characters other than letters, digits and _");
         std::error_code hidden;
         const fs::file_status status = fs::symlink_status(source, hidden);
         if (!fs::exists(status))
-            return { {}, "", source.filename().string() + ": no such file" };
+            return { {}, "", name + ".cpp: no such file" };
         if (!fs::is_regular_file(status))
             return refuse(source, "not a plain file");
         if (fs::file_size(source, hidden) > maxBytes) // also if there is no telling
             return refuse(source, "larger than a megabyte");
         try {
             const std::string text = files::readText(source);
-            return { { State::Taken, "", "" }, text, whyUntouched(source, text) };
+            return { { State::Taken, "", "" }, text, whyUntouched(name, text) };
         } catch (const files::Error& error) {
             return refuse(source, "cannot be read");
         }
@@ -78,7 +79,7 @@ Sources readSources(const fs::path& submission)
         throw files::Error(submission, "found no folder, expected one with the files of a submission");
     Sources sources;
     for (const std::string& name : partNames(submission))
-        sources[name] = read(submission / (name + ".cpp"));
+        sources[name] = read(submission, name);
     return sources;
 }
 

@@ -37,6 +37,7 @@ public:
     }
     [[nodiscard]] std::vector<std::string> names() const;
     [[nodiscard]] double compileSeconds(const std::string& name) const { return m_objects.at(name).seconds; }
+    // Nothing for a file that is untouched or refused.
     [[nodiscard]] const Program& featureWorker(const std::string& feature) const { return m_workers.at(feature); }
 
 private:

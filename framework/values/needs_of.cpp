@@ -111,10 +111,8 @@ namespace {
     // What surfaces show of light from below, or black: with shading off the colour of the light, by a gradient any.
     std::string whyNoLightFromBehind(const Subject& s)
     {
-        const ShadingModel model = s.features.shadingModel;
-        const bool isGradient
-            = model == ShadingModel::LinearGradient || model == ShadingModel::LinearGradientComparison;
-        const bool isShown = !s.features.enableShading || isGradient || provided::hasOwnModels();
+        const bool isOwn = provided::hasOwnModels() || provided::hasOwnColors();
+        const bool isShown = !s.features.enableShading || isByGradient(s.features.shadingModel) || isOwn;
         return isShown ? "" : "the model of shading gives black for it";
     }
 

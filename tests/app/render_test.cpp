@@ -33,7 +33,7 @@ std::string sceneFile(const std::string& text)
 std::string smallPicture(const std::string& scene, const fs::path& with, const std::string& setting)
 {
     const std::string output = (work / "small.exr").string();
-    const Outcome outcome = render(scenes + scene + ".toml --size 24x18 --with '" + with.string() + "' -o '" + output
+    const Outcome outcome = render("'" + scene + "' --size 24x18 --with '" + with.string() + "' -o '" + output
         + "' --set reflections=true --set transparency=true --set " + setting);
     REQUIRE(outcome.exitCode == 0);
     // The file says when it was made.
@@ -224,7 +224,8 @@ TEST_CASE("What is skipped changes no pixel, whoever wrote the code", "[render]"
     const fs::path with = GENERATE_COPY(values<fs::path>(
         { "student", folder / "tests" / "grading" / "course", folder / "tests" / "grading" / "course_2023" }));
     const std::string scene = GENERATE(values<std::string>({ "cornell_box", "transparent_shadows", "soft_shadows" }));
-    CHECK(smallPicture(scene, with, "skipping=true") == smallPicture(scene, with, "skipping=false"));
+    const std::string file = scenes + scene + ".toml";
+    CHECK(smallPicture(file, with, "skipping=true") == smallPicture(file, with, "skipping=false"));
 }
 
 TEST_CASE("Whoever gives surfaces colours of their own is asked for them, also where no texture is", "[render]")
@@ -234,8 +235,15 @@ TEST_CASE("Whoever gives surfaces colours of their own is asked for them, also w
     fs::copy(reference, own, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     std::ofstream(own / "shading.cpp", std::ios::app)
         << "glm::vec3 sampleMaterialKd(RenderState&, const HitInfo&) { return glm::vec3(0.25f, 0.5f, 0.75f); }\n";
-    CHECK(smallPicture("cornell_box", own, "skipping=true") == smallPicture("cornell_box", own, "skipping=false"));
-    CHECK(smallPicture("cornell_box", own, "skipping=true") != smallPicture("cornell_box", reference, "skipping=true"));
+    const std::string scene = sceneFile("[camera]\nlook_at = [0, 0, 0]\nrotation = [90, 0, 0]\ndistance = 1\n"
+                                        "field_of_view = 45\n\n[features]\nshading = true\n\n"
+                                        "[[mesh]]\nquads = [[[-9, 0, -9], [-9, 0, 9], [9, 0, 9], [9, 0, -9]]]\n"
+                                        "kd = [0, 0, 0]\n\n"
+                                        "[[light]]\ntype = \"point\"\nposition = [0, 1, 0]\ncolor = [1, 1, 1]\n");
+    for (const std::string& file : { scene, scenes + "cornell_box.toml" }) {
+        CHECK(smallPicture(file, own, "skipping=true") == smallPicture(file, own, "skipping=false"));
+        CHECK(smallPicture(file, own, "skipping=true") != smallPicture(file, reference, "skipping=true"));
+    }
 }
 
 TEST_CASE("What a picture needs is explained, with why the rest is left out", "[render]")

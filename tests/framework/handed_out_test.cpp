@@ -11,7 +11,8 @@ TEST_CASE("Each file of student/ is known as it is handed out, and no longer whe
     for (const std::string& name : submission::features) {
         const std::string text
             = files::readText(std::filesystem::path(submission::sourceDirectory) / "student" / (name + ".cpp"));
-        INFO("{ \"" << name << "\", \"" << files::Digest().add(text).hex() << "\" },");
+        INFO(
+            "If students are to get this file: { \"" << name << "\", \"" << files::Digest().add(text).hex() << "\" },");
         CHECK(submission::isAsHandedOut(name, text));
         CHECK_FALSE(submission::isAsHandedOut(name, text + "\n"));
         CHECK_FALSE(submission::isAsHandedOut(name, ""));

@@ -49,7 +49,8 @@ private:
 
     static constexpr float leastSlope = 0x1p-80f;
 
-    // Neither the farthest corner nor zero is farther from the origin than the tree's middle is, and they from that.
+    // To the farthest corner, and to zero, the origin has at most the way to the tree's middle and the way from there,
+    // which is the same for all rays.
     static float marginOf(const View& tree, Float4 origin)
     {
         return largest(magnitude(origin - load(tree.middle))) * (marginOfReach + marginOfOrigin) + tree.margin;

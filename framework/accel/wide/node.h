@@ -37,7 +37,7 @@ struct View {
     const Block* blocks;
     uint32_t numNodes, numBlocks;
     alignas(16) float middle[4]; // of the box around all triangles
-    float margin; // what of the boxes' is the same for all rays
+    float margin; // the part of the boxes' margin that is the same for all rays
 };
 
 // Rays that are traced together, at most: a word has a bit for each.

@@ -18,11 +18,11 @@ WideTree::WideTree(const Triangles& triangles, const wide::Kernel& kernel)
     m_nodes = std::move(built.wide.nodes);
     m_blocks = std::move(built.wide.blocks);
     if (!m_blocks.empty())
-        showBox(built.box);
-    showArrays();
+        viewBox(built.box);
+    viewArrays();
 }
 
-void WideTree::showBox(const wide::Box& box)
+void WideTree::viewBox(const wide::Box& box)
 {
     float halfSize = 0.0f, farthest = 0.0f; // of the middle, from zero
     for (int axis = 0; axis < 3; ++axis) {
@@ -34,7 +34,7 @@ void WideTree::showBox(const wide::Box& box)
     m_view.margin = wide::marginOfReach * halfSize + wide::marginOfOrigin * farthest;
 }
 
-void WideTree::showArrays()
+void WideTree::viewArrays()
 {
     m_view.nodes = m_nodes.data();
     m_view.blocks = m_blocks.data();
@@ -71,7 +71,7 @@ bool WideTree::load(const files::KeptArrays& folder, const std::string& name)
 {
     if (!folder.load(name, m_nodes, m_blocks, m_view.middle, m_view.margin))
         return false;
-    showArrays();
+    viewArrays();
     return true;
 }
 

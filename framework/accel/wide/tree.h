@@ -56,8 +56,8 @@ public:
 private:
     [[nodiscard]] bool load(const files::KeptArrays& folder, const std::string& name);
     void save(const files::KeptArrays& folder, const std::string& name) const;
-    void showBox(const wide::Box& box); // in the view
-    void showArrays(); // likewise
+    void viewBox(const wide::Box& box);
+    void viewArrays();
 
     std::vector<wide::Node, wide::LargePages<wide::Node>> m_nodes;
     std::vector<wide::Block, wide::LargePages<wide::Block>> m_blocks;
