@@ -52,6 +52,25 @@ TEST_CASE("Wide tree, finds what a double-precision search of all triangles find
     }
 }
 
+TEST_CASE(
+    "Wide tree, triangles in a ray's plane, but for their roundings, are met only if they are in its way", "[wide]")
+{
+    Random random(1, "edge-on");
+    for (int i = 0; i < 100000; ++i) {
+        const Ray ray { random.vec3(-1.0f, 1.0f), random.vec3(-1.0f, 1.0f) };
+        const glm::vec3 across = random.vec3(-1.0f, 1.0f);
+        const auto corner = [&] {
+            return ray.origin + (3.0f * random.uniform() + 0.1f) * ray.direction
+                + (0.5f * random.uniform() - 0.1f) * across;
+        };
+        const std::vector<Triangle> triangles { { corner(), corner(), corner() } };
+        const WideTree tree(triangles);
+        const bench::ExactHits exact(triangles, ray);
+        for (const accel::wide::Kernel* kernel : accel::wide::kernels())
+            REQUIRE(exact.judge(tree.occluded(ray, *kernel)) != bench::Verdict::Wrong);
+    }
+}
+
 TEST_CASE("Wide tree, rays along axes and in the planes of faces find what lies there", "[wide]")
 {
     std::vector<Triangle> triangles; // three walls of a grid, on round coordinates

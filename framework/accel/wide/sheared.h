@@ -58,8 +58,12 @@ template <typename Simd> struct Sheared {
         return Simd::lessEqual(zero, least) | Simd::lessEqual(most, zero);
     }
 
-    // Not those that are seen edge-on.
-    [[nodiscard]] unsigned withArea() const { return Simd::less(least, most); }
+    // Those of the candidates whose weights have signs. A weight of zero may be one of any sign that was rounded.
+    [[nodiscard]] unsigned certain() const
+    {
+        const Floats zero = Simd::broadcast(0.0f);
+        return Simd::less(zero, least) | Simd::less(most, zero);
+    }
 
     // Those of the second and the third corner, normalised: as many numbers each as a register has.
     void storeWeights(float* second, float* third) const

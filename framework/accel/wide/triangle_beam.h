@@ -129,7 +129,7 @@ private:
         mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, Simd::load(limits + first));
         if (mask == 0)
             return;
-        const unsigned withArea = s.withArea();
+        const unsigned certain = s.certain();
         alignas(64) float ts[Simd::size], us[Simd::size], vs[Simd::size];
         Simd::store(ts, t);
         s.storeWeights(us, vs);
@@ -137,9 +137,9 @@ private:
             const int i = __builtin_ctz(mask);
             const unsigned ray = first + static_cast<unsigned>(i);
             Closest<Simd> closest(hits[ray]);
-            if (withArea >> i & 1)
+            if (certain >> i & 1)
                 closest.offer({ ts[i], block.primitives[triangle], us[i], vs[i] });
-            else // edge-on: alone
+            else // alone
                 TriangleRay<Simd>(m_rays[ray]).findCloser(block, closest);
             hits[ray] = closest.hit;
             limits[ray] = closest.hit.t;

@@ -97,11 +97,10 @@ private:
         mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, Simd::broadcast(limit));
         if (mask == 0)
             return false;
-        const unsigned certain = mask & s.withArea();
-        if (certain != 0)
+        if ((mask & s.certain()) != 0)
             return true;
         Closest<Simd> closest(m_ray);
-        findEdgeOn(part, m_ray, mask, closest);
+        findUncertain(part, m_ray, mask, closest);
         return closest.hit.primitive != Hit::none;
     }
 
@@ -115,9 +114,9 @@ private:
         mask &= Simd::lessEqual(Simd::broadcast(0.0f), t) & Simd::lessEqual(t, closest.limit);
         if (mask == 0)
             return;
-        if (const unsigned edgeOn = mask & ~s.withArea(); __builtin_expect(edgeOn != 0, 0)) {
-            findEdgeOn(part, m_ray, edgeOn, closest);
-            mask &= ~edgeOn;
+        if (const unsigned uncertain = mask & ~s.certain(); __builtin_expect(uncertain != 0, 0)) {
+            findUncertain(part, m_ray, uncertain, closest);
+            mask &= ~uncertain;
         }
         alignas(64) float ts[Simd::size], us[Simd::size], vs[Simd::size];
         Simd::store(ts, t);
@@ -159,10 +158,11 @@ private:
         return plane.distances(Simd::broadcast(d[0]), Simd::broadcast(d[1]), Simd::broadcast(d[2]), s, m_scale);
     }
 
-    // Triangles whose weights are all zero after rounding. Without area they are not met, but that of a thin one may be
-    // too small to see, and on a coarse grid whole groups of neighbours are seen edge-on: without them the ray would
-    // slip through. Products of floats fit into a double, so that here the signs are exact.
-    [[gnu::noinline, gnu::cold]] static void findEdgeOn(
+    // Triangles with a weight of zero after rounding. The ray may pass through the edge; or beside it, and then far
+    // from the triangle if that is seen edge-on. Without any of these it would slip through where triangles are thin,
+    // or seen edge-on in whole groups. Products of floats fit into a double, so that here the signs are exact.
+    // Triangles without area are not met.
+    [[gnu::noinline, gnu::cold]] static void findUncertain(
         const Part& part, const Ray& ray, unsigned mask, Closest<Simd>& closest)
     {
         const TriangleRay self(ray);
