@@ -9,6 +9,7 @@
 
 namespace accel {
 class ExpectedRays;
+class LightShaft;
 }
 
 // What every function of the renderer can look at, and the random numbers of one pixel.
@@ -20,6 +21,7 @@ struct RenderState {
     Sampler sampler;
     SceneNeeds needs {};
     accel::ExpectedRays* expected = nullptr; // whose closest hits are asked for next, if that is known
+    accel::LightShaft* shaft = nullptr; // on which rays to a light are sent next, if somebody looks at it
 };
 
 // Provided: renders all pixels, on all cores, with the same result for any number of threads.

@@ -17,12 +17,18 @@ public:
 
     bool isOccluded(RenderState& state, const Ray& ray) const override
     {
-        ++counter().rays.shadow;
-        return wrapped().isOccluded(state, ray);
+        RayCounts& rays = counter().rays;
+        const uint64_t clear = rays.clear;
+        const bool isOccluded = wrapped().isOccluded(state, ray);
+        rays.shadow += rays.clear == clear;
+        return isOccluded;
     }
 
     // Somebody has left out a ray to a light that the surface could not show.
     static void addUnlit() { ++counter().rays.unlit; }
+
+    // Somebody need not trace a ray that would meet nothing.
+    static void addClear() { ++counter().rays.clear; }
 
     // Of all threads, since the process began. Only while nobody traces.
     [[nodiscard]] static RayCounts rayCounts();

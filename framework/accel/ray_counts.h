@@ -10,9 +10,11 @@ struct RayCounts {
     uint64_t bounced = 0; // mirrored, or passed through a surface
     uint64_t shadow = 0; // towards a light
     uint64_t unlit = 0; // left out: towards a light that the surface could not show
+    uint64_t clear = 0; // left out: towards a light with nothing on the way to any of its points
 
     // Of those that were traced.
     [[nodiscard]] uint64_t total() const { return camera + bounced + shadow; }
+    [[nodiscard]] uint64_t leftOut() const { return unlit + clear; }
 
     RayCounts& operator+=(const RayCounts& other)
     {
@@ -20,11 +22,13 @@ struct RayCounts {
         bounced += other.bounced;
         shadow += other.shadow;
         unlit += other.unlit;
+        clear += other.clear;
         return *this;
     }
     [[nodiscard]] RayCounts operator-(const RayCounts& before) const
     {
-        return { camera - before.camera, bounced - before.bounced, shadow - before.shadow, unlit - before.unlit };
+        return { camera - before.camera, bounced - before.bounced, shadow - before.shadow, unlit - before.unlit,
+            clear - before.clear };
     }
 };
 

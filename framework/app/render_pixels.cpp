@@ -1,5 +1,6 @@
 #include "app/render_pixels.h"
 #include "accel/expected_rays.h"
+#include "accel/light_shaft.h"
 #include "recursive.h"
 #include "render.h"
 #include "screen.h"
@@ -25,8 +26,10 @@ namespace {
             , m_begin(size * index)
             , m_end(glm::min(m_begin + size, screen.resolution()))
         {
-            if (m_state.features.extra.enableSkipping)
+            if (m_state.features.extra.enableSkipping) {
                 m_state.expected = &m_expected;
+                m_state.shaft = &m_shaft;
+            }
         }
 
         void render()
@@ -76,6 +79,7 @@ namespace {
 
         RenderState m_state;
         accel::ExpectedRays m_expected;
+        accel::LightShaft m_shaft;
         const Trackball& m_camera;
         Screen& m_screen;
         uint32_t m_seedOffset;

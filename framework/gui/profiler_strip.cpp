@@ -9,9 +9,10 @@ namespace {
     {
         const auto perSecond
             = [&](uint64_t count) { return 1e-6 * static_cast<double>(count) / std::max(picture.seconds, 1e-9); };
-        const auto& [camera, bounced, shadow, leftOut] = picture.work.rays;
+        const accel::RayCounts& counts = picture.work.rays;
         ImGui::Text("million rays a second: %.2f camera, %.2f bounced, %.2f shadow (%.2f left out) in %.2f s",
-            perSecond(camera), perSecond(bounced), perSecond(shadow), perSecond(leftOut), picture.seconds);
+            perSecond(counts.camera), perSecond(counts.bounced), perSecond(counts.shadow), perSecond(counts.leftOut()),
+            picture.seconds);
     }
 
     void memory(const char* whose, std::size_t bytes)

@@ -1,3 +1,4 @@
+#include "accel/light_shaft.h"
 #include "light.h"
 #include "scene.h"
 #include "values/even_numbers.h"
@@ -11,11 +12,15 @@ glm::vec3 computeLightContribution(RenderState& state, const Ray& ray, const Hit
         [&](const SegmentLight& light) {
             if (values::EvenNumbers* even = state.sampler.even())
                 even->expectNumbers(numSamples);
+            if (state.shaft)
+                state.shaft->aimAt(light, numSamples);
             return computeContributionSegmentLight(state, light, ray, hitInfo, numSamples);
         },
         [&](const ParallelogramLight& light) {
             if (values::EvenNumbers* even = state.sampler.even())
                 even->expectPoints(numSamples);
+            if (state.shaft)
+                state.shaft->aimAt(light, numSamples);
             return computeContributionParallelogramLight(state, light, ray, hitInfo, numSamples);
         });
     glm::vec3 sum { 0.0f };

@@ -1,3 +1,5 @@
+#include "accel/counting_bvh.h"
+#include "accel/light_shaft.h"
 #include "accel/sphere_test.h"
 #include "accel/traversal.h"
 #include "accel/wide/tree.h"
@@ -23,6 +25,10 @@ static bool isOccludedBySphere(const Scene& scene, const Ray& ray)
 
 bool isOccludedByBVH(RenderState& state, const BVHInterface& bvh, const Ray& ray)
 {
+    if (state.shaft && state.shaft->isClearFor(state, bvh, ray)) {
+        accel::CountingBVH::addClear();
+        return false;
+    }
     return (state.needs.triangles && isOccludedByTriangle(bvh, ray))
         || (state.needs.spheres && isOccludedBySphere(state.scene, ray));
 }

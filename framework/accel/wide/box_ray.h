@@ -41,16 +41,8 @@ template <typename Simd> struct Slabs {
         return Simd::lessEqual(entry, exit);
     }
 
-    Float4 inverse, nearOrigin, farOrigin;
-    unsigned negative; // a bit for each axis
-
-private:
-    using Int4 = int __attribute__((vector_size(16)));
-
-    static constexpr float leastSlope = 0x1p-80f;
-
-    // To the farthest corner, and to zero, the origin has at most the way to the tree's middle and the way from there,
-    // which is the same for all rays.
+    // By how much boxes count as larger. To the farthest corner, and to zero, the origin has at most the way to the
+    // tree's middle and the way from there, which is the same for all rays.
     static float marginOf(const View& tree, Float4 origin)
     {
         return largest(magnitude(origin - load(tree.middle))) * (marginOfReach + marginOfOrigin) + tree.margin;
@@ -62,6 +54,14 @@ private:
         __builtin_memcpy(&a, p, sizeof a);
         return a;
     }
+
+    Float4 inverse, nearOrigin, farOrigin;
+    unsigned negative; // a bit for each axis
+
+private:
+    using Int4 = int __attribute__((vector_size(16)));
+
+    static constexpr float leastSlope = 0x1p-80f;
 
     static float max(float a, float b) { return a > b ? a : b; }
     static float largest(Float4 a) { return max(max(a[0], a[1]), a[2]); }

@@ -1,5 +1,6 @@
 #pragma once
 #include "accel/wide/node.h"
+#include "accel/wide/shaft.h"
 #include <framework/ray.h>
 #include <span>
 
@@ -14,6 +15,7 @@ struct Kernel {
     void (*closestOfEach)(const View& tree, const Ray* rays, unsigned count, Hit* hits);
     bool (*occluded)(const View& tree, const Ray& ray);
     bool (*occludedCounted)(const View& tree, const Ray& ray, Counters& counters);
+    bool (*isClear)(const View& tree, const Shaft& shaft); // if not, perhaps still
 };
 
 // Those that this processor can run, the fastest first; never empty.

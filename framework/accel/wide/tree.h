@@ -42,6 +42,14 @@ public:
         return kernel.occluded(m_view, ray);
     }
 
+    // Whether no segment in the shaft meets a triangle, as `occluded` says: if so, that need not be asked. False where
+    // that is not certain.
+    [[nodiscard]] bool isClear(const wide::Shaft& shaft) const { return isClear(shaft, m_kernel); }
+    [[nodiscard]] bool isClear(const wide::Shaft& shaft, const wide::Kernel& kernel) const
+    {
+        return kernel.isClear(m_view, shaft);
+    }
+
     // Adds what it tests to the counters.
     [[nodiscard]] std::optional<Hit> closest(const Ray& ray, wide::Counters& counters) const;
     [[nodiscard]] bool occluded(const Ray& ray, wide::Counters& counters) const;

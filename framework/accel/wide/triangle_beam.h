@@ -1,4 +1,5 @@
 #pragma once
+#include "accel/wide/slope_range.h"
 #include "accel/wide/triangle_ray.h"
 
 namespace accel::wide {
@@ -26,23 +27,14 @@ public:
         }
         for (unsigned i = count; i % Simd::size != 0; ++i)
             set(i, m_first, rays[0]); // nobody looks at these
-        for (int i = 0; i < 2; ++i) {
-            m_middle[i] = 0.5f * (least[i] + largest[i]);
-            m_reach[i] = 0.5f * (largest[i] - least[i]) + 4 * unit; // slopes are 1 at most: rounding included
-        }
+        m_slopes = SlopeRange<Simd>(m_first.axes, m_first.origin, least, largest);
     }
 
     // Whether they turn the same axis into z, as they must, by slopes that are numbers.
     [[nodiscard]] bool isOne() const { return m_isOne; }
 
     // Which triangles of a block a ray may meet: all that one does, perhaps others.
-    [[nodiscard]] unsigned mayMeet(const Block& block) const
-    {
-        unsigned triangles = 0;
-        for (int first = 0; first < width; first += Simd::size)
-            triangles |= partMayMeet(block, first) << first;
-        return triangles;
-    }
+    [[nodiscard]] unsigned mayMeet(const Block& block) const { return m_slopes.mayMeet(block); }
 
     // For those of the rays, a bit for each, that meet the triangle within their limits: the hit becomes theirs and its
     // distance their limit, if it is closer.
@@ -64,8 +56,6 @@ public:
     }
 
 private:
-    static constexpr float unit = 0x1p-24f; // the largest relative error of one rounding
-
     void set(unsigned ray, const Shear<Simd>& shear, const Ray& from)
     {
         m_shearX[ray] = shear.x;
@@ -79,42 +69,6 @@ private:
     static bool areNumbers(const Shear<Simd>& shear)
     {
         return __builtin_fabsf(shear.x) < 2.0f && __builtin_fabsf(shear.y) < 2.0f; // 1, but for rounding
-    }
-
-    static Floats size(Floats a) { return Simd::max(a, Simd::broadcast(0.0f) - a); }
-
-    // A weight is a linear function of the two slopes: known in the middle, and by how much it differs within reach. If
-    // two have different signs throughout, no ray passes between the edges. Each ray's own weights are rounded by at
-    // most 10 units of the product of the corners' sizes, and these here by as much; unless numbers are so small that
-    // they have fewer digits, or so large that the product of some is infinite.
-    [[nodiscard]] unsigned partMayMeet(const Block& block, int first) const
-    {
-        Floats c[3][3], largest = Simd::broadcast(0.0f); // axis, corner
-        for (unsigned axis = 0; axis < 3; ++axis)
-            for (int corner = 0; corner < 3; ++corner)
-                c[axis][corner] = Simd::load(&block.positions[m_first.axes[axis]][corner][first])
-                    - Simd::broadcast(m_first.origin[axis]);
-        for (int i = 0; i < 3; ++i)
-            largest = Simd::max(largest, size(c[0][i]) + size(c[1][i]) + size(c[2][i]));
-        const Floats rounding = largest * largest * Simd::broadcast(32 * unit) + Simd::broadcast(0x1p-120f);
-        Floats lower[3], upper[3];
-        for (int i = 0; i < 3; ++i) {
-            const int a = (i + 1) % 3, b = (i + 2) % 3;
-            const Floats normalX = c[1][b] * c[2][a] - c[2][b] * c[1][a];
-            const Floats normalY = c[2][b] * c[0][a] - c[0][b] * c[2][a];
-            const Floats normalZ = c[0][b] * c[1][a] - c[1][b] * c[0][a];
-            const Floats weight
-                = normalX * Simd::broadcast(m_middle[0]) + normalY * Simd::broadcast(m_middle[1]) + normalZ;
-            const Floats reach
-                = size(normalX) * Simd::broadcast(m_reach[0]) + size(normalY) * Simd::broadcast(m_reach[1]) + rounding;
-            lower[i] = weight - reach;
-            upper[i] = weight + reach;
-        }
-        const Floats zero = Simd::broadcast(0.0f);
-        const Floats leastUpper = Simd::min(Simd::min(upper[0], upper[1]), upper[2]);
-        const Floats mostLower = Simd::max(Simd::max(lower[0], lower[1]), lower[2]);
-        return Simd::lessEqual(zero, leastUpper) | Simd::lessEqual(mostLower, zero)
-            | Simd::lessEqual(Simd::broadcast(0x1p100f), rounding);
     }
 
     void findCloserOfSome(const Block& block, int triangle, const Floats (&corners)[3][3],
@@ -150,7 +104,7 @@ private:
     unsigned m_count;
     Shear<Simd> m_first;
     bool m_isOne = true;
-    float m_middle[2], m_reach[2]; // of the slopes
+    SlopeRange<Simd> m_slopes;
     alignas(64) float m_shearX[mostRays], m_shearY[mostRays], m_scale[mostRays], m_direction[3][mostRays];
 };
 
