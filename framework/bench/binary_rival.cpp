@@ -51,7 +51,7 @@ void addBinary(std::span<const Triangle> triangles, Rivals& rivals)
 {
     const Scene scene = values::sceneOf(triangles);
     accel::Tree tree;
-    const double seconds = secondsOf([&] {
+    const double seconds = buildSecondsOf([&] {
         tree = accel::buildTree(scene, 4);
         (void)tree.primitives.all(); // made now, while there is a scene
     });

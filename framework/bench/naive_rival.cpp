@@ -9,13 +9,15 @@ namespace {
     using Primitive = BVHInterface::Primitive;
 
     // A first tree, as many write it: halves of the triangles along the longest axis; both children are asked, in no
-    // order; a hit is described whenever one is found.
+    // order; a hit is described whenever one is found, all that HitInfo has.
     class NaiveTree {
     public:
         explicit NaiveTree(std::span<const Triangle> triangles)
         {
-            for (const auto& [a, b, c] : triangles)
-                m_primitives.push_back({ 0, { a, {}, {} }, { b, {}, {} }, { c, {}, {} } });
+            for (const auto& [a, b, c] : triangles) {
+                const glm::vec3 normal = glm::cross(b - a, c - a);
+                m_primitives.push_back({ 0, { a, normal, {} }, { b, normal, {} }, { c, normal, {} } });
+            }
             m_root = build(m_primitives);
         }
 
@@ -71,7 +73,7 @@ namespace {
             return node;
         }
 
-        static bool intersect(const Node& node, Ray& ray, HitInfo& hitInfo)
+        bool intersect(const Node& node, Ray& ray, HitInfo& hitInfo) const
         {
             Ray toBox = ray; // the box would shorten the ray
             if (!intersectRayWithShape(node.box, toBox))
@@ -82,11 +84,32 @@ namespace {
                 return hitLeft || hitRight;
             }
             bool isHit = false;
-            for (const auto& [meshID, v0, v1, v2] : node.primitives)
-                isHit |= intersectRayWithTriangle(v0.position, v1.position, v2.position, ray, hitInfo);
+            for (const Primitive& p : node.primitives) {
+                if (intersectRayWithTriangle(p.v0.position, p.v1.position, p.v2.position, ray, hitInfo)) {
+                    describe(p, ray, hitInfo);
+                    isHit = true;
+                }
+            }
             return isHit;
         }
 
+        void describe(const Primitive& p, const Ray& ray, HitInfo& hitInfo) const
+        {
+            const glm::vec3 point = ray.origin + ray.t * ray.direction;
+            const auto area = [&](const Vertex& a, const Vertex& b) {
+                return glm::length(glm::cross(a.position - point, b.position - point));
+            };
+            glm::vec3& bc = hitInfo.barycentricCoord;
+            bc = { area(p.v1, p.v2), area(p.v2, p.v0), area(p.v0, p.v1) };
+            bc /= bc.x + bc.y + bc.z;
+            hitInfo.material = m_material;
+            hitInfo.texCoord = bc.x * p.v0.texCoord + bc.y * p.v1.texCoord + bc.z * p.v2.texCoord;
+            hitInfo.normal = glm::normalize(bc.x * p.v0.normal + bc.y * p.v1.normal + bc.z * p.v2.normal);
+            if (glm::dot(hitInfo.normal, ray.direction) > 0.0f)
+                hitInfo.normal = -hitInfo.normal;
+        }
+
+        Material m_material; // of all
         std::vector<Primitive> m_primitives;
         std::unique_ptr<Node> m_root;
     };
@@ -114,7 +137,7 @@ namespace {
 void addNaive(std::span<const Triangle> triangles, Rivals& rivals)
 {
     std::unique_ptr<Rival> rival;
-    const double seconds = secondsOf([&] { rival = std::make_unique<NaiveRival>(triangles); });
+    const double seconds = buildSecondsOf([&] { rival = std::make_unique<NaiveRival>(triangles); });
     rival->buildSeconds = seconds;
     rivals.push_back(std::move(rival));
 }
