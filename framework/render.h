@@ -21,7 +21,7 @@ struct RenderState {
     Sampler sampler;
     SceneNeeds needs {};
     accel::ExpectedRays* expected = nullptr; // whose closest hits are asked for next, if that is known
-    accel::LightShaft* shaft = nullptr; // on which rays to a light are sent next, if somebody looks at it
+    accel::LightShaft* shaft = nullptr; // whether anything lies on the way to an area light; null: rays tell
 };
 
 // Provided: renders all pixels, on all cores, with the same result for any number of threads.

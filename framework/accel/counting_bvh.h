@@ -17,10 +17,10 @@ public:
 
     bool isOccluded(RenderState& state, const Ray& ray) const override
     {
-        RayCounts& rays = counter().rays;
-        const uint64_t clear = rays.clear;
+        const uint64_t clear = numClear();
         const bool isOccluded = wrapped().isOccluded(state, ray);
-        rays.shadow += rays.clear == clear;
+        if (numClear() == clear)
+            ++counter().rays.shadow;
         return isOccluded;
     }
 
@@ -29,6 +29,8 @@ public:
 
     // Somebody need not trace a ray that would meet nothing.
     static void addClear() { ++counter().rays.clear; }
+    // How many such rays this thread had.
+    [[nodiscard]] static uint64_t numClear() { return counter().rays.clear; }
 
     // Of all threads, since the process began. Only while nobody traces.
     [[nodiscard]] static RayCounts rayCounts();

@@ -17,18 +17,22 @@ static constexpr float widening = 0x1p-16f;
 bool LightShaft::isClearWithin(const RenderState& state, const BVHInterface& bvh, const Ray& ray)
 {
     if (m_stage == Stage::Unseen)
-        look(state, bvh, ray.origin);
-    return m_stage == Stage::Clear && contains(ray);
+        look(state, bvh, ray);
+    if (m_stage != Stage::Clear || m_bvh != &bvh || !contains(ray))
+        return false;
+    m_account.earn();
+    return true;
 }
 
-void LightShaft::look(const RenderState& state, const BVHInterface& bvh, const glm::vec3& from)
+void LightShaft::look(const RenderState& state, const BVHInterface& bvh, const Ray& first)
 {
     m_stage = Stage::Unclear;
-    if (!m_account.isWorthLooking())
+    if (!m_account.isWorthLooking() || !startAt(first.origin) || !contains(first))
         return;
-    if (startAt(from) && isClear(state, bvh))
+    m_account.pay();
+    m_bvh = &bvh;
+    if (isClear(state, bvh))
         m_stage = Stage::Clear;
-    m_account.book(m_stage == Stage::Clear ? m_numRays : 0.0f);
 }
 
 // The light is within them.
@@ -102,7 +106,8 @@ bool LightShaft::isClearOf(const Sphere& sphere) const
 {
     const glm::vec3 way = turned(sphere.center - glm::make_vec3(m_shaft.point));
     const glm::vec3 size = glm::max(way, -way);
-    const float radius = sphere.radius + 0x1p-18f * (size.x + size.y + size.z); // a ray's test has a dozen roundings
+    const float radius
+        = std::abs(sphere.radius) + 0x1p-18f * (size.x + size.y + size.z); // a ray's test has a dozen roundings
     if (glm::dot(way, way) <= radius * radius)
         return false;
     float towards = way.z; // of the segments' ends, at z = 1, the most
@@ -121,7 +126,9 @@ bool LightShaft::contains(const Ray& ray) const
     if (std::memcmp(m_shaft.point, &ray.origin, sizeof ray.origin) != 0)
         return false;
     const glm::vec3 way = turned(ray.direction);
-    return way.z > 0.0f && way.z * ray.t <= m_end && m_shaft.least[0] * way.z <= way.x
+    // Not so short or long that products of what the ray's own test multiplies have fewer digits, or are infinite.
+    const bool hasDigits = way.z > 0x1p-40f && way.z < 0x1p40f;
+    return hasDigits && way.z * ray.t <= m_end && m_shaft.least[0] * way.z <= way.x
         && way.x <= m_shaft.largest[0] * way.z && m_shaft.least[1] * way.z <= way.y
         && way.y <= m_shaft.largest[1] * way.z;
 }

@@ -7,12 +7,12 @@
 
 namespace accel {
 
-// Whether anything lies between the shaded point and a light, to which several rays are about to be sent: where nothing
-// does, none of them needs to be traced. It is looked at once for all, when the first comes, and seldom while that does
-// not pay.
+// Tells whether anything lies between the shaded point and a light to which several rays are about to be sent: if
+// nothing does, none of them needs to be traced by the library's tree. That is found out once for all, when the first
+// ray comes, and seldom while it does not pay.
 class LightShaft {
 public:
-    // To where so many rays will lead next. The light must stay where it is.
+    // Next, so many rays will lead to this light, which must stay where it is.
     template <typename AreaLight> void aimAt(const AreaLight& light, uint32_t numRays)
     {
         m_light = &light;
@@ -31,7 +31,7 @@ private:
 
     static constexpr float costOfLooking = 3.0f; // in rays
 
-    // Whether looking pays, by how it went so far: in rays that were saved, less what they cost.
+    // Whether looking pays, by how it went so far: in rays that were saved, less what looking cost.
     class Account {
     public:
         [[nodiscard]] bool isWorthLooking()
@@ -42,17 +42,18 @@ private:
             return false;
         }
 
-        void book(float numSaved) { m_balance = std::min(m_balance + numSaved - costOfLooking, most); }
+        void pay() { m_balance -= costOfLooking; }
+        void earn() { m_balance = std::min(m_balance + 1.0f, most); }
 
     private:
-        static constexpr float hope = 0.25f; // things may have changed
-        static constexpr float most = 8.0f; // and may change at once
+        static constexpr float hope = 0.25f; // for each time that nobody looks: sooner or later somebody does
+        static constexpr float most = 8.0f; // so that a few failures are enough
 
         float m_balance = 0.0f;
     };
 
     [[nodiscard]] bool isClearWithin(const RenderState& state, const BVHInterface& bvh, const Ray& ray);
-    void look(const RenderState& state, const BVHInterface& bvh, const glm::vec3& from);
+    void look(const RenderState& state, const BVHInterface& bvh, const Ray& first);
     [[nodiscard]] bool startAt(const glm::vec3& point);
     [[nodiscard]] bool isClear(const RenderState& state, const BVHInterface& bvh) const;
     [[nodiscard]] bool isClearOf(const Sphere& sphere) const;
@@ -69,6 +70,7 @@ private:
     Account m_account;
     float m_numRays;
     Stage m_stage = Stage::Unclear;
+    const BVHInterface* m_bvh; // where it is clear
     wide::Shaft m_shaft;
     float m_forward, m_end; // the sign of z in it, and how far it goes forward
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include "accel/counting_bvh.h"
 #include "accel/wrapped_bvh.h"
 #include <vector>
 
@@ -13,7 +14,7 @@ struct RecordedRays {
     [[nodiscard]] std::size_t numRays() const { return rays.size() + shadowRays.size(); }
 };
 
-// A tree that keeps all rays that anybody sends into it, in their order. For one thread.
+// A tree that keeps all rays that are traced in it, in their order. For one thread.
 class RecordingBVH : public WrappedBVH {
 public:
     RecordingBVH(BVHInterface& bvh, RecordedRays& recorded)
@@ -32,8 +33,10 @@ public:
 
     bool isOccluded(RenderState& state, const Ray& ray) const override
     {
-        m_recorded.shadowRays.push_back(ray);
+        const uint64_t clear = CountingBVH::numClear();
         const bool isHit = wrapped().isOccluded(state, ray);
+        if (CountingBVH::numClear() == clear)
+            m_recorded.shadowRays.push_back(ray);
         m_recorded.numHits += isHit;
         return isHit;
     }

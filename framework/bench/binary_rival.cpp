@@ -51,9 +51,10 @@ void addBinary(std::span<const Triangle> triangles, Rivals& rivals)
 {
     const Scene scene = values::sceneOf(triangles);
     accel::Tree tree;
-    const double seconds = buildSecondsOf([&] {
-        tree = accel::buildTree(scene, 4);
-        (void)tree.primitives.all(); // made now, while there is a scene
+    const double seconds = buildSecondsOf(tree, [&] {
+        accel::Tree built = accel::buildTree(scene, 4);
+        (void)built.primitives.all(); // made now, while there is a scene
+        return built;
     });
     rivals.push_back(std::make_unique<BinaryRival>(std::move(tree)));
     rivals.back()->buildSeconds = seconds;

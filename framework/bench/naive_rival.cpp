@@ -137,7 +137,7 @@ namespace {
 void addNaive(std::span<const Triangle> triangles, Rivals& rivals)
 {
     std::unique_ptr<Rival> rival;
-    const double seconds = buildSecondsOf([&] { rival = std::make_unique<NaiveRival>(triangles); });
+    const double seconds = buildSecondsOf(rival, [&] { return std::make_unique<NaiveRival>(triangles); });
     rival->buildSeconds = seconds;
     rivals.push_back(std::move(rival));
 }

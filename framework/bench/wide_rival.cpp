@@ -55,7 +55,7 @@ namespace {
 void addWide(std::span<const Triangle> triangles, Rivals& rivals)
 {
     std::shared_ptr<const accel::WideTree> tree;
-    const double seconds = buildSecondsOf([&] { tree = std::make_shared<accel::WideTree>(triangles); });
+    const double seconds = buildSecondsOf(tree, [&] { return std::make_shared<accel::WideTree>(triangles); });
     for (const accel::wide::Kernel* kernel : accel::wide::kernels()) {
         rivals.push_back(std::make_unique<WideRival>(tree, *kernel));
         rivals.back()->buildSeconds = seconds;

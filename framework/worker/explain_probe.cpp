@@ -1,5 +1,4 @@
 // The probe that tells what a picture needs, and what is done for it.
-#include "accel/light_shaft.h"
 #include "bvh.h"
 #include "recursive.h"
 #include "render.h"
@@ -22,12 +21,9 @@ namespace {
         CountedWork work;
         tbb::parallel_for(0, config.size.y, [&](int y) {
             const CountedWork::Part part { work };
-            accel::LightShaft shaft;
             for (int x = 0; x < config.size.x; ++x) {
                 const auto index = static_cast<uint32_t>(y * config.size.x + x);
                 RenderState state { scene, config.features, counting, Sampler(index), needs };
-                if (config.features.extra.enableSkipping)
-                    state.shaft = &shaft;
                 (void)renderRays(state, generatePixelRays(state, camera, { x, y }, config.size));
             }
         });

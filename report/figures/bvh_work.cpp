@@ -52,8 +52,8 @@ namespace {
                                rays.total(), theirs, rays.unlit),
             rays.total() <= theirs + theirs / 10 } };
         sheet.data = { { "camera", rays.camera }, { "bounced", rays.bounced }, { "shadow", rays.shadow },
-            { "unlit", rays.unlit }, { "clear", rays.clear }, { "nodes", own.work.numNodes },
-            { "triangles", own.work.numTriangles }, { "lookups", textured.work.numLookups } };
+            { "unlit", rays.unlit }, { "nodes", own.work.numNodes }, { "triangles", own.work.numTriangles },
+            { "lookups", textured.work.numLookups } };
         return sheet;
     }
 

@@ -252,6 +252,6 @@ TEST_CASE("What a picture needs is explained, with why the rest is left out", "[
     CHECK(outcome.exitCode == 0);
     for (const std::string line : { "triangles  *yes", "spheres  *no: the scene has none", "mirrors  *yes",
              "transparency  *no: every material is opaque", "light from behind  *no: ", "rays from the camera  *432",
-             "left out: without effect  *[1-9]", "textures decoded  *0 of 0" })
+             "rays to lights, left out  *[1-9]", "textures decoded  *0 of 0" })
         CHECK(std::regex_search(outcome.output, std::regex(line)));
 }

@@ -22,8 +22,17 @@ public:
         float origin[3];
         for (int i = 0; i < 3; ++i)
             origin[i] = shaft.point[shaft.axes[i]];
-        m_slopes = SlopeRange<Register>(shaft.axes, origin, shaft.least, shaft.largest);
+        float least[2], largest[2];
+        for (int i = 0; i < 2; ++i) {
+            constexpr float rounding = 0x1p-22f; // of the ray's slopes, and of who asked whether they are within
+            least[i] = shaft.least[i] - rounding;
+            largest[i] = shaft.largest[i] + rounding;
+        }
+        m_slopes = SlopeRange<Register>(shaft.axes, origin, least, largest);
     }
+
+    // Whether numbers are so small that all products of three are finite: a margin is less than a millionth of them.
+    [[nodiscard]] bool isReliable() const { return m_margin < 0x1p20f; }
 
     // Which of the node's boxes a segment may meet.
     [[nodiscard]] unsigned mayMeet(const Node& node) const
@@ -137,8 +146,9 @@ private:
         const unsigned beginBehind = Register::less(seen.nearest, Register::broadcast(-0x1p-100f));
         const unsigned endBeyond = Register::less(Register::broadcast(m_length * (1.0f + 0x1p-18f)), seen.farthest);
         const Triangles zero = Register::broadcast(0.0f);
+        const unsigned haveDigits = Register::less(Register::broadcast(0x1p-60f), size(x) + size(y) + size(z));
         const auto areBelow = [&](Triangles height, Triangles least, Triangles most) {
-            return Register::less(rounding * Register::broadcast(0x1p-60f), height) // that no quotient becomes 0
+            return haveDigits & Register::less(rounding * Register::broadcast(0x1p-60f), height) // no quotient is 0
                 & Register::less(most, height) & (beginBehind | Register::less(zero, least))
                 & (endBeyond | Register::less(most, zero));
         };

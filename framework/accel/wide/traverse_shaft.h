@@ -14,7 +14,7 @@ public:
     static bool isClear(const View& tree, const Shaft& shaft)
     {
         const Test test(tree, shaft);
-        return tree.numNodes == 0 ? areBlocksClear(tree, test) : areNodesClear(tree, test);
+        return test.isReliable() && (tree.numNodes == 0 ? areBlocksClear(tree, test) : areNodesClear(tree, test));
     }
 
 private:

@@ -93,7 +93,7 @@ private:
             Closest<Simd> closest(hits[ray]);
             if (certain >> i & 1)
                 closest.offer({ ts[i], block.primitives[triangle], us[i], vs[i] });
-            else // alone
+            else // a weight is zero: alone
                 TriangleRay<Simd>(m_rays[ray]).findCloser(block, closest);
             hits[ray] = closest.hit;
             limits[ray] = closest.hit.t;

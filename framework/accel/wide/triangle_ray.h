@@ -158,10 +158,10 @@ private:
         return plane.distances(Simd::broadcast(d[0]), Simd::broadcast(d[1]), Simd::broadcast(d[2]), s, m_scale);
     }
 
-    // Triangles with a weight of zero after rounding. The ray may pass through the edge; or beside it, and then far
-    // from the triangle if that is seen edge-on. Without any of these it would slip through where triangles are thin,
-    // or seen edge-on in whole groups. Products of floats fit into a double, so that here the signs are exact.
-    // Triangles without area are not met.
+    // Triangles with a weight of zero after rounding. The ray may pass through the edge, or beside it: far from the
+    // triangle, if that is seen edge-on. Were they all met, that would be wrong; were they all missed, rays would slip
+    // through thin triangles, and on a coarse grid through whole groups of neighbours. Products of floats fit into a
+    // double, so that here the signs are exact. Triangles without area are not met.
     [[gnu::noinline, gnu::cold]] static void findUncertain(
         const Part& part, const Ray& ray, unsigned mask, Closest<Simd>& closest)
     {

@@ -92,7 +92,7 @@ TEST_CASE(
         CHECK(row.at(1) == row.at(2));
         CHECK(row.at(3) == row.at(4));
     }
-    CHECK(cells(0, "left out: without effect")[1] != "0");
+    CHECK(cells(0, "rays to lights, left out")[1] != "0");
     CHECK(cells(0, "textures looked up")[3] != "0");
     CHECK(cells(0, "textures decoded")[3] == "1 of 1");
     CHECK(cells(1, "spheres")[1] == "no: the scene has none");
