@@ -31,7 +31,7 @@ public:
         m_slopes = SlopeRange<Register>(shaft.axes, origin, least, largest);
     }
 
-    // Whether numbers are so small that all products of three are finite: a margin is less than a millionth of them.
+    // Whether the product of any three numbers is finite: the margin is some 2^-18 of the largest.
     [[nodiscard]] bool isReliable() const { return m_margin < 0x1p20f; }
 
     // Which of the node's boxes a segment may meet.
