@@ -16,8 +16,7 @@ public:
     template <typename AreaLight> void aimAt(const AreaLight& light, uint32_t numRays)
     {
         m_light = &light;
-        m_numRays = static_cast<float>(numRays);
-        m_stage = m_numRays > costOfLooking ? Stage::Unseen : Stage::Unclear;
+        m_stage = static_cast<float>(numRays) > costOfLooking ? Stage::Unseen : Stage::Unclear;
     }
 
     // That the ray meets nothing, as isOccludedByBVH would find. If false, it has to be traced.
@@ -68,7 +67,6 @@ private:
 
     std::variant<const SegmentLight*, const ParallelogramLight*> m_light;
     Account m_account;
-    float m_numRays;
     Stage m_stage = Stage::Unclear;
     const BVHInterface* m_bvh; // where it is clear
     wide::Shaft m_shaft;

@@ -1,4 +1,6 @@
+#include "accel/counting_bvh.h"
 #include "accel/light_shaft.h"
+#include "accel/recording_bvh.h"
 #include "random_triangles.h"
 #include "worker/library_bvh.h"
 #include "world.h"
@@ -242,6 +244,28 @@ TEST_CASE("Shaft, clear in the tree where it was looked at, and in no other", "[
     shaft.aimAt(light, 16);
     CHECK(shaft.isClearFor(state, nothing, ray));
     CHECK_FALSE(shaft.isClearFor(state, pane, ray));
+}
+
+TEST_CASE("Shaft, rays that it answers are recorded by nobody and counted apart from those that are traced", "[shaft]")
+{
+    const tests::World world;
+    worker::LibraryBVH bvh(world.scene, world.features);
+    accel::RecordedRays recorded;
+    accel::RecordingBVH recording(bvh, recorded);
+    const accel::CountingBVH counting(recording);
+    LightShaft shaft;
+    RenderState state { world.scene, world.features, counting, Sampler(1) };
+    state.shaft = &shaft;
+    const SegmentLight light { { -1.0f, 0.0f, 4.0f }, { 1.0f, 0.0f, 4.0f }, {}, {} };
+    shaft.aimAt(light, 16);
+    const accel::RayCounts before = accel::CountingBVH::rayCounts();
+    for (const glm::vec3& way :
+        { glm::vec3(0.0f, 0.0f, 4.0f), glm::vec3(0.5f, 0.0f, 4.0f), glm::vec3(5.0f, 0.0f, 4.0f) })
+        CHECK_FALSE(counting.isOccluded(state, { glm::vec3(0.0f), way, 1.0f }));
+    const accel::RayCounts counts = accel::CountingBVH::rayCounts() - before;
+    CHECK(counts.clear == 2);
+    CHECK(counts.shadow == 1); // past the light
+    CHECK(recorded.numRays() == 1);
 }
 
 TEST_CASE("Shaft, seldom looked at where it is never clear, and again where it is", "[shaft]")
