@@ -8,22 +8,32 @@ find_headers(boost_math boost/math/distributions/students_t.hpp)
 add_executable(reference-worker)
 target_link_libraries(reference-worker PRIVATE worker probes reference framework)
 
+# What answers and pictures are judged by, and where expected answers come from: of no submission, so that tests take it
+# alone.
+file(GLOB oracles CONFIGURE_DEPENDS oracle/*.cpp)
+add_library(oracles OBJECT ${oracles}
+    chi_square.cpp picture_judge.cpp tiles.cpp welch.cpp
+    expected.cpp live_reference.cpp golden_file.cpp sealed_file.cpp unfinished_file.cpp)
+
 # Checks register themselves, so they are objects. Those of a feature that fill more than a file are <feature>_*.cpp.
 list(TRANSFORM FEATURES REPLACE "(.+)" "checks/\\1.cpp" OUTPUT_VARIABLE checks)
-file(GLOB parts CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} checks/*_*.cpp oracle/*.cpp drawn/*.cpp)
+file(GLOB parts CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} checks/*_*.cpp drawn/*.cpp)
 add_library(grading OBJECT
-    grade.cpp check.cpp exam.cpp secret.cpp row_store.cpp kept_messages.cpp expect.cpp chi_square.cpp
-    harmless.cpp observations.cpp
-    picture.cpp picture_judge.cpp tiles.cpp welch.cpp
-    expected.cpp live_reference.cpp golden_file.cpp sealed_file.cpp unfinished_file.cpp
-    outputs.cpp times.cpp write_whole.cpp report.cpp report_table.cpp report_json.cpp report_junit.cpp report_gradescope.cpp
-    report_html.cpp ${CMAKE_CURRENT_BINARY_DIR}/page.cpp
+    grade.cpp check.cpp exam.cpp secret.cpp row_store.cpp kept_messages.cpp expect.cpp harmless.cpp observations.cpp
+    picture.cpp outputs.cpp times.cpp write_whole.cpp
+    report.cpp report_table.cpp report_json.cpp report_junit.cpp report_gradescope.cpp report_html.cpp
+    ${CMAKE_CURRENT_BINARY_DIR}/page.cpp
     ${checks} ${parts})
-target_precompile_headers(grading REUSE_FROM framework)
-target_include_directories(grading PUBLIC ${CMAKE_SOURCE_DIR})
-target_link_libraries(grading
-    PUBLIC submission nlohmann_json::nlohmann_json PkgConfig::sodium
-    PRIVATE pugixml::pugixml boost_math raywork_warnings)
+target_sources(grading INTERFACE $<TARGET_OBJECTS:oracles>)
+
+foreach(library oracles grading)
+    set_target_properties(${library} PROPERTIES UNITY_BUILD ON)
+    target_precompile_headers(${library} REUSE_FROM framework)
+    target_include_directories(${library} PUBLIC ${CMAKE_SOURCE_DIR})
+    target_link_libraries(${library}
+        PUBLIC submission nlohmann_json::nlohmann_json PkgConfig::sodium
+        PRIVATE pugixml::pugixml boost_math raywork_warnings)
+endforeach()
 
 # The page that the report fills in: its style and its script put into it, all in one literal.
 file(READ html/page.html page)

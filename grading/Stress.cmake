@@ -8,6 +8,7 @@ file(GLOB stress CONFIGURE_DEPENDS stress/*.cpp stress/oracle/*.cpp)
 list(REMOVE_ITEM stress ${CMAKE_CURRENT_SOURCE_DIR}/stress/stress_main.cpp)
 add_library(stress OBJECT ${stress})
 target_precompile_headers(stress REUSE_FROM framework)
+set_target_properties(stress PROPERTIES UNITY_BUILD ON)
 target_include_directories(stress PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(stress PUBLIC submission nlohmann_json::nlohmann_json PRIVATE boost_multiprecision raywork_warnings)
 

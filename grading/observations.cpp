@@ -48,7 +48,7 @@ namespace {
         return message;
     }
 
-    const std::string probe = "render.debug_ray";
+    const std::string debugRay = "render.debug_ray";
 
     worker::DebugRay toRay(const worker::Message& message)
     {
@@ -63,7 +63,8 @@ namespace {
         constexpr std::chrono::seconds patience { 2 }; // of which one ray takes the solution next to nothing
         worker::Limits limits = limitsOfWorkers();
         limits.answerBytes = std::size_t(16) << 20; // a full recording is smaller
-        const worker::Message answer = worker::Process(observed.program, limits).ask(probe, question, patience).output;
+        const worker::Message answer
+            = worker::Process(observed.program, limits).ask(debugRay, question, patience).output;
         worker::DebugRay ray = toRay(answer);
         known.keep(observed.key, answer);
         return ray;
@@ -140,7 +141,7 @@ std::optional<Observation> observe(const Observed& observed, ExpectedAnswers& ex
         return {};
     try {
         const worker::Message message = toMessage(*question);
-        const worker::DebugRay solution = toRay(expected.answer(probe, message));
+        const worker::DebugRay solution = toRay(expected.answer(debugRay, message));
         const Describer describe { *question, observed.file, solution };
         return Observation { observed.feature, describeSubmission(describe, observed, message, known),
             describe(solution) };

@@ -32,25 +32,25 @@ namespace {
     }
 
     // The floats themselves, not pictures of 8 bits: the page shows what they are, and draws them.
-    Json toJson(const PicturePair& pair)
+    Json toPageJson(const PicturePair& pair)
     {
         const glm::ivec2 worst = glm::clamp(pair.worst, glm::ivec2(0), pair.size - 1);
         return { { "width", pair.size.x }, { "height", pair.size.y }, { "worst", { worst.x, worst.y } },
             { "expected", toBase64(pair.expected) }, { "came", toBase64(pair.came) } };
     }
 
-    Json toJson(const Row& row)
+    Json toPageJson(const Row& row)
     {
         if (row.hidden)
             return { { "name", row.name }, { "status", "hidden" } };
         Json json { { "name", row.name }, { "status", std::string(toText(row.status)) }, { "score", row.score },
             { "maxScore", row.maxScore }, { "message", row.message }, { "cause", row.usualCause } };
         if (row.pictures && areComparable(*row.pictures))
-            json["pictures"] = toJson(*row.pictures);
+            json["pictures"] = toPageJson(*row.pictures);
         return json;
     }
 
-    Json toJson(const Grade& grade)
+    Json toPageJson(const Grade& grade)
     {
         const std::vector<Row>& rows = grade.rows;
         const Score total = totalOf(rows);
@@ -61,7 +61,7 @@ namespace {
             const Score part = totalOf(rows, feature);
             Json checks = Json::array();
             for (const Row& row : rowsOf(rows, feature))
-                checks.push_back(toJson(row));
+                checks.push_back(toPageJson(row));
             Json& ofFeature = json["features"].emplace_back(Json { { "name", feature }, { "score", part.score },
                 { "maxScore", part.maxScore }, { "checks", std::move(checks) } });
             const auto observation = std::ranges::find(grade.observations, feature, &Observation::feature);
@@ -89,7 +89,7 @@ void writeHtml(const std::filesystem::path& path, const Grade& grade)
 {
     constexpr std::string_view placeholder = "{{data}}";
     std::string page { html::page };
-    page.replace(page.find(placeholder), placeholder.size(), toScript(toJson(grade)));
+    page.replace(page.find(placeholder), placeholder.size(), toScript(toPageJson(grade)));
     writeWhole(path, page);
 }
 

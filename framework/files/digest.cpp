@@ -10,12 +10,12 @@ struct Digest::State {
     crypto_generichash_state hash;
 };
 
-constexpr std::size_t numBytes = 20;
+constexpr std::size_t numDigestBytes = 20;
 
 Digest::Digest()
     : m_state(std::make_unique<State>())
 {
-    crypto_generichash_init(&m_state->hash, nullptr, 0, numBytes);
+    crypto_generichash_init(&m_state->hash, nullptr, 0, numDigestBytes);
 }
 
 Digest::~Digest() = default;
@@ -57,9 +57,9 @@ Digest& Digest::addFolder(const std::filesystem::path& folder, const std::string
 
 std::string Digest::hex()
 {
-    std::array<unsigned char, numBytes> bytes {};
+    std::array<unsigned char, numDigestBytes> bytes {};
     crypto_generichash_final(&m_state->hash, bytes.data(), bytes.size());
-    std::array<char, 2 * numBytes + 1> text {};
+    std::array<char, 2 * numDigestBytes + 1> text {};
     sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
     return text.data();
 }

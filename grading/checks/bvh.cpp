@@ -2,7 +2,7 @@
 #include "grading/checks/bvh_rays.h"
 #include "grading/expect.h"
 
-namespace grading {
+namespace grading::bvh {
 namespace {
 
     const Check triangles("bvh.closest.outside", 2.0,

@@ -3,7 +3,7 @@
 #include "grading/expect.h"
 
 // What the traversal says of the closest hit.
-namespace grading {
+namespace grading::bvh_hit {
 namespace {
 
     // The point is off by 1e-6, seen from a triangle that is a tenth high and met at 3 degrees or more.

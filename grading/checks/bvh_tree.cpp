@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 // Whether the traversal goes by the boxes.
-namespace grading {
+namespace grading::bvh_tree {
 namespace {
 
     // From beside two heaps, so that no ray starts in a box, into one of them.

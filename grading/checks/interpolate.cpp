@@ -3,7 +3,7 @@
 #include "grading/oracle/triangle.h"
 #include <fmt/format.h>
 
-namespace grading {
+namespace grading::interpolate {
 namespace {
 
     // Of any shape up to eight times longer than high, about as large as the scale and as far from the origin.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 // Means weighted by barycentric coordinates.
-namespace grading {
+namespace grading::interpolate_mean {
 namespace {
 
     // Barycentric coordinates: of the corners and of points on the edges first, then of any point.

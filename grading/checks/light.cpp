@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 // Where samples of lights lie and which colour they have, and pictures.
-namespace grading {
+namespace grading::light {
 namespace {
 
     // A place on a light: the fraction of the way along each of its edges.

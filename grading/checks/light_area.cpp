@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 // The mean of what arrives from samples of a light.
-namespace grading {
+namespace grading::light_area {
 namespace {
 
     // Lights so small that all their points shade alike.

@@ -3,7 +3,7 @@
 #include "grading/expect.h"
 
 // The shading of what arrives from a point light.
-namespace grading {
+namespace grading::light_contribution {
 namespace {
 
     const LightKind point { "computeContributionPointLight",

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 // What transparent surfaces leave of a light at a shaded point.
-namespace grading {
+namespace grading::light_transparency {
 namespace {
 
     glm::dvec3 passed(const Material& material)
@@ -31,7 +31,7 @@ namespace {
         return stage;
     }
 
-    LightSample randomLight(Random& random, const Stage& stage)
+    LightSample randomSample(Random& random, const Stage& stage)
     {
         return { lightPosition(random, stage, random.uniform(0.5f, 5.0f)), random.color() };
     }
@@ -39,7 +39,7 @@ namespace {
     // Panes, the first of them closest to the shaded point; alpha for each.
     void expectThroughPanes(Exam& exam, Stage stage, const std::vector<float>& alphas, const std::string& what)
     {
-        const LightSample light = randomLight(exam.random, stage);
+        const LightSample light = randomSample(exam.random, stage);
         glm::dvec3 factor { 1.0 };
         for (std::size_t i = 0; i < alphas.size(); ++i) {
             const Material material = glass(exam.random, alphas[i]);
@@ -62,7 +62,7 @@ namespace {
             for (int i = 0; i < 200; ++i) {
                 Stage stage = transparentStage(exam.random);
                 addSurface(stage, exam.random, i % 2 == 0);
-                expectLight(exam, stage, randomLight(exam.random, stage), glm::dvec3(1.0), "nothing in between");
+                expectLight(exam, stage, randomSample(exam.random, stage), glm::dvec3(1.0), "nothing in between");
             }
         });
     const Check pane("light.transparency.pane", 1.0,
@@ -133,7 +133,7 @@ namespace {
         [](Exam& exam) {
             for (int i = 0; i < 40; ++i) {
                 Stage stage = transparentStage(exam.random);
-                const LightSample light = randomLight(exam.random, stage);
+                const LightSample light = randomSample(exam.random, stage);
                 const Material before = glass(exam.random, 0.5f);
                 addPane(stage, exam.random, light.position, 0.5, before);
                 const auto beyond = static_cast<double>(exam.random.uniform(1.1f, 1.4f));
@@ -156,7 +156,7 @@ namespace {
                 stage.scene.textures.push_back(texture);
                 Material material = glass(exam.random, 0.5f);
                 material.kdTexture = texture.get();
-                const LightSample light = randomLight(exam.random, stage);
+                const LightSample light = randomSample(exam.random, stage);
                 addPane(stage, exam.random, light.position, 0.5, material);
                 const glm::ivec2 texel { exam.random.integer(0, 3), exam.random.integer(0, 3) };
                 const glm::vec2 middle = (glm::vec2(texel) + 0.5f) / 4.0f;

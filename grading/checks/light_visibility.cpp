@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 // Whether a light is visible from a shaded point.
-namespace grading {
+namespace grading::light_visibility {
 namespace {
 
     void expectVisibility(

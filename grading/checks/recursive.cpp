@@ -4,7 +4,7 @@
 #include "grading/picture.h"
 #include <fmt/format.h>
 
-namespace grading {
+namespace grading::recursive {
 namespace {
 
     // The length is left to other checks.

@@ -7,7 +7,7 @@
 #include "grading/probes/pixel_case.h"
 #include <fmt/format.h>
 
-namespace grading {
+namespace grading::render {
 namespace {
 
     struct Sampling {

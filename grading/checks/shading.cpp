@@ -5,7 +5,7 @@
 #include "grading/probes/shading_case.h"
 #include <fmt/format.h>
 
-namespace grading {
+namespace grading::shading {
 namespace {
 
     using Component = LinearGradient::Component;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace grading {
+namespace grading::texture {
 namespace {
 
     NumberedTexels numberedTexels(Random& random, glm::ivec2 size)

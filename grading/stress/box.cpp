@@ -3,7 +3,7 @@
 #include "grading/stress/stress.h"
 #include "grading/stress/text.h"
 
-namespace stress {
+namespace stress::box {
 namespace {
 
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -2,7 +2,7 @@
 #include "grading/stress/soup.h"
 #include "grading/stress/stress.h"
 
-namespace stress {
+namespace stress::bvh {
 namespace {
 
     using Answers = std::vector<MetInSoup>;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 // The library's camera, turned by angles about x, then y, then z.
-namespace stress {
+namespace stress::camera {
 namespace {
 
     using Real = long double;

@@ -4,7 +4,7 @@
 #include <array>
 
 // Where rays of a pixel meet the screen, by the projection inverted: the camera looks along z, not turned.
-namespace stress {
+namespace stress::camera_pixels {
 namespace {
 
     std::string describe(const PixelRays& query)

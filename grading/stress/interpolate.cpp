@@ -4,7 +4,7 @@
 #include "grading/stress/stress.h"
 #include "grading/stress/text.h"
 
-namespace stress {
+namespace stress::interpolate {
 namespace {
 
     using grading::Triangle;

@@ -4,7 +4,7 @@
 #include <array>
 
 // What unoccluded lights contribute, near and far, small and large.
-namespace stress {
+namespace stress::light_contribution {
 namespace {
 
     using grading::Incidence;

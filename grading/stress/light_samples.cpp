@@ -4,7 +4,7 @@
 #include <array>
 
 // Where samples of lights lie and which colour they have.
-namespace stress {
+namespace stress::light_samples {
 namespace {
 
     using grading::LightSample;

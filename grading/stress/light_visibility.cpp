@@ -4,7 +4,7 @@
 #include "grading/stress/stress.h"
 
 // Lights above, between and below panes: what is in between is known by the order of heights alone.
-namespace stress {
+namespace stress::light_visibility {
 namespace {
 
     std::string describe(const LightBehindStack& query)

@@ -4,7 +4,7 @@
 #include "grading/stress/stress.h"
 
 // Rays between mirrors and through glass: what each meets next is known by its height alone.
-namespace stress {
+namespace stress::recursive {
 namespace {
 
     std::string describe(const RaysInStack& query)

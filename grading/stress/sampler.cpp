@@ -7,7 +7,7 @@
 // The library's random numbers. next_1d keeps 24 bits of its state and makes a float of them, so there are no more than
 // 2^24 numbers; when a stream has brought that many different ones, all of them in [0, 1), no state is left that could
 // give another.
-namespace stress {
+namespace stress::sampler {
 namespace {
 
     // In standard deviations: a sequence without order exceeds it once in 1.7 million cases. Seeds are fixed, so what

@@ -5,7 +5,7 @@
 #include <cfloat>
 
 // The provided models. A rounding of a cosine is raised to the shininess: what is right is an interval.
-namespace stress {
+namespace stress::shading {
 namespace {
 
     using grading::ShadingCase;

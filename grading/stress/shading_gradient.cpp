@@ -3,7 +3,7 @@
 #include "grading/stress/stress.h"
 #include <cfloat>
 
-namespace stress {
+namespace stress::shading_gradient {
 namespace {
 
     using Component = LinearGradient::Component;

@@ -4,7 +4,7 @@
 #include "grading/stress/stress.h"
 #include <cfloat>
 
-namespace stress {
+namespace stress::shading_gradient_model {
 namespace {
 
     using grading::ShadingCase;

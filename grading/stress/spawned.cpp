@@ -4,7 +4,7 @@
 #include "grading/stress/stress.h"
 #include "grading/stress/text.h"
 
-namespace stress {
+namespace stress::spawned {
 namespace {
 
     // Where a ray starts, seen from the surface that sends it on.

@@ -4,7 +4,7 @@
 #include "grading/stress/texture_inputs.h"
 
 // Each lookup against the texels' numbers, in double precision: the product of a coordinate and a size is exact there.
-namespace stress {
+namespace stress::texture {
 namespace {
 
     std::string describe(const Lookup& lookup)

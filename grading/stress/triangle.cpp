@@ -5,7 +5,7 @@
 #include "grading/stress/stress.h"
 #include "grading/stress/text.h"
 
-namespace stress {
+namespace stress::triangle {
 namespace {
 
     std::string describe(const TriangleRay& input)

@@ -4,7 +4,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::accuracy {
 namespace {
 
     using nlohmann::json;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace report {
+namespace report::bvh {
 namespace {
 
     // The ray through this pixel, as a part of the picture, meets the forehead and then the back of the head.

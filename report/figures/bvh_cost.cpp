@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace report {
+namespace report::bvh_cost {
 namespace {
 
     using debug::Quantity;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace report {
+namespace report::bvh_work {
 namespace {
 
     using Lines = std::vector<worker::ExplainedLine>;

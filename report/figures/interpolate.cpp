@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-namespace report {
+namespace report::interpolate {
 namespace {
 
     using debug::Quantity;

@@ -5,7 +5,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::light {
 namespace {
 
     struct Kind {

@@ -6,7 +6,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::light_noise {
 namespace {
 
     // Against what clipping and quadrature give for points in a half-shadow.

@@ -6,7 +6,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::light_rays {
 namespace {
 
     constexpr glm::ivec2 size { 520, 390 };

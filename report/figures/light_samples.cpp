@@ -6,7 +6,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::light_samples {
 namespace {
 
     // The unit square, so that a position is where it is along both edges. Its colours can be told apart on any ground.

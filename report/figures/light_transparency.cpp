@@ -6,7 +6,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::light_transparency {
 namespace {
 
     const char* const proposedSetting = "proposed_shadow_formula=true";

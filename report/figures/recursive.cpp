@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace report {
+namespace report::recursive {
 namespace {
 
     // Transparency is off: behind glass a mirror would change what is no mirror.

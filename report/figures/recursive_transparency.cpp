@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-namespace report {
+namespace report::recursive_transparency {
 namespace {
 
     bool letsThrough(const HitInfo& hit)

@@ -7,7 +7,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::render {
 namespace {
 
     constexpr int cells = 5; // along each side of a pixel

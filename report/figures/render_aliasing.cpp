@@ -7,7 +7,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 
-namespace report {
+namespace report::render_aliasing {
 namespace {
 
     constexpr int perSide = 4; // cells along a side of a pixel

@@ -5,7 +5,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::render_error {
 namespace {
 
     using Curve = std::vector<bench::ErrorPoint>;

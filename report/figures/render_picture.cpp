@@ -4,7 +4,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::render_picture {
 namespace {
 
     constexpr glm::ivec2 size { 340, 255 };

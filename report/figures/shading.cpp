@@ -5,7 +5,7 @@
 #include "report/plot.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::shading {
 namespace {
 
     // Of light from 180 degrees to 0 off the normal.

@@ -5,7 +5,7 @@
 #include "report/plot.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::shading_lobes {
 namespace {
 
     // Where each is brighter, and where they are equal.

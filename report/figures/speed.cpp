@@ -3,7 +3,7 @@
 #include "report/studio.h"
 #include <fmt/format.h>
 
-namespace report {
+namespace report::speed {
 namespace {
 
     using nlohmann::json;

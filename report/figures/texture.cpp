@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/gtx/component_wise.hpp>
 
-namespace report {
+namespace report::texture {
 namespace {
 
     worker::RenderRequest filtered(const std::string& scene, glm::ivec2 size, const std::string& bilinear)

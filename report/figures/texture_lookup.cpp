@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace report {
+namespace report::texture_lookup {
 namespace {
 
     // The first lookup on the path that deep. Without one there is nothing to show, perhaps for want of other
