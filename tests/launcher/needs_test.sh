@@ -38,7 +38,10 @@ main() {
     exit $failed
 }
 
-installed() { xargs dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p' | sort -u; }
+# Of a package that a machine never had, dpkg-query says that by its exit code too.
+installed() {
+    { xargs dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null || true; } | sed -n 's/^installed //p' | sort -u
+}
 
 # The launcher, alone in a folder, among stand-ins: what it would configure is configured beside the build of this
 # checkout, and what it would build is a list of commands.
