@@ -28,7 +28,8 @@ TableReader::TableReader(const std::filesystem::path& path, const TomlValue& val
 
 const TomlValue* TableReader::find(std::string_view key)
 {
-    m_known.push_back(key);
+    if (std::ranges::find(m_known, key) == m_known.end())
+        m_known.push_back(key);
     const auto entry = std::ranges::find(*m_entries, key, &TomlEntry::key);
     return entry == m_entries->end() ? nullptr : &entry->value;
 }

@@ -253,6 +253,9 @@ TEST_CASE("A broken scene file is refused with its line", "[files]")
         { "[[mesh]]\nfile = \"no.obj\"\n", "a.toml:2: " },
         { "[[mesh]]\nfile = \"bad.obj\"\n", "bad.obj:1: found \"x\", expected a number" },
         { mesh + "texture = \"no.png\"\n", "no.png: cannot be read, expected an existing file" },
+        { mesh + "colour = 1\n",
+            "a.toml:3: found the unknown key \"colour\", expected one of file, shape, quads, triangles, normalize, "
+            "translate, rotate, scale, kd, ks, shininess, transparency, texture" },
         { mesh + "texture = 1\n", "a.toml:3: found 1, expected the name of a file" },
         { mesh + "scale = 0\n", "a.toml:3: found 0, expected a number above 0" },
         { mesh + "normalize = 1\n", "a.toml:3: found 1, expected true or false" },
