@@ -96,8 +96,10 @@ TEST_CASE("What a worker printed is not lost when another one takes its place be
 TEST_CASE("Of a flood of lines the newest are kept, and the picture is completed", "[window]")
 {
     const tests::ChangedReference folder { "light.cpp", lightThat(R"(
-        static std::atomic<int> number = 0;
-        std::printf("line %d\n", ++number);)") };
+        static int number = 0;
+        flockfile(stdout); // counted in the order of printing: no thread is late with a low number
+        std::printf("line %d\n", ++number);
+        funlockfile(stdout);)") };
     OpenedWindow window { tests::cornell, folder.path() };
     window.drawUntilTraced();
     window.drawFrames(2);
