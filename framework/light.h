@@ -23,7 +23,7 @@ void sampleParallelogramLight(
 // Provided: whether the light may leave anything at all on the surface by the provided models of shading, if it gets
 // there. False, only where needs.lightFromBehind is, for a light below the surface, and where either is black.
 // lightDirection: as in computeShading.
-[[nodiscard]] bool canBeLit(
+[[nodiscard]] inline bool canBeLit(
     const RenderState& state, const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo);
 
 // Provided: lightColor with shadows off; one of the two above with shadows on.
@@ -40,3 +40,32 @@ void sampleParallelogramLight(
 
 // Provided: the sum over all lights of the scene.
 [[nodiscard]] glm::vec3 computeLightContribution(RenderState& state, const Ray& ray, const HitInfo& hitInfo);
+
+namespace lighting {
+
+[[nodiscard]] inline bool isBlack(const glm::vec3& color)
+{
+    return color.x == 0.0f && color.y == 0.0f && color.z == 0.0f; // most often the first says it
+}
+
+[[nodiscard]] inline bool isDull(const Material& material)
+{
+    return isBlack(material.kd) && isBlack(material.ks) && !material.kdTexture;
+}
+
+void countUnlit(); // a sample of a light that was left out
+
+}
+
+// Here, so that nothing is called: it is asked for every sample of a light.
+inline bool canBeLit(
+    const RenderState& state, const glm::vec3& lightDirection, const glm::vec3& lightColor, const HitInfo& hitInfo)
+{
+    if (state.needs.lightFromBehind)
+        return true;
+    const bool isBelow = glm::dot(hitInfo.normal, lightDirection) <= 0.0f; // not if that is NaN, which is to be seen
+    if (!isBelow && !lighting::isBlack(lightColor) && !lighting::isDull(hitInfo.material))
+        return true;
+    lighting::countUnlit();
+    return false;
+}

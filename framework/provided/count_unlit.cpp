@@ -1,0 +1,7 @@
+#include "accel/counting_bvh.h"
+#include "light.h"
+
+void lighting::countUnlit()
+{
+    accel::CountingBVH::addUnlit();
+}
