@@ -95,9 +95,14 @@ glm::vec3 visibilityOfLightSampleTransparency(RenderState& state, const glm::vec
     return light;
 }
 
+static glm::vec3 towardsCamera(const Ray& ray)
+{
+    return -glm::normalize(ray.direction);
+}
+
 // The shading of what arrives from one point of a light.
 static glm::vec3 contributionOfSample(RenderState& state, const glm::vec3& lightPosition, const glm::vec3& lightColor,
-    const Ray& ray, const HitInfo& hitInfo)
+    const glm::vec3& cameraDirection, const Ray& ray, const HitInfo& hitInfo)
 {
     const glm::vec3 point = hitPoint(ray);
     const glm::vec3 toLight = lightPosition - point;
@@ -112,23 +117,24 @@ static glm::vec3 contributionOfSample(RenderState& state, const glm::vec3& light
     const glm::vec3 visible = visibilityOfLightSample(state, lightPosition, lightColor, ray, hitInfo);
     if (visible == glm::vec3(0.0f))
         return visible;
-    return computeShading(state, -glm::normalize(ray.direction), lightDirection, visible, hitInfo);
+    return computeShading(state, cameraDirection, lightDirection, visible, hitInfo);
 }
 
 glm::vec3 computeContributionPointLight(
     RenderState& state, const PointLight& light, const Ray& ray, const HitInfo& hitInfo)
 {
-    return contributionOfSample(state, light.position, light.color, ray, hitInfo);
+    return contributionOfSample(state, light.position, light.color, towardsCamera(ray), ray, hitInfo);
 }
 
 glm::vec3 computeContributionSegmentLight(
     RenderState& state, const SegmentLight& light, const Ray& ray, const HitInfo& hitInfo, uint32_t numSamples)
 {
+    const glm::vec3 cameraDirection = towardsCamera(ray);
     glm::vec3 sum { 0.0f };
     for (uint32_t i = 0; i < numSamples; ++i) {
         glm::vec3 position, color;
         sampleSegmentLight(state.sampler.next_1d(), light, position, color);
-        sum += contributionOfSample(state, position, color, ray, hitInfo);
+        sum += contributionOfSample(state, position, color, cameraDirection, ray, hitInfo);
     }
     return sum / static_cast<float>(numSamples);
 }
@@ -136,11 +142,12 @@ glm::vec3 computeContributionSegmentLight(
 glm::vec3 computeContributionParallelogramLight(
     RenderState& state, const ParallelogramLight& light, const Ray& ray, const HitInfo& hitInfo, uint32_t numSamples)
 {
+    const glm::vec3 cameraDirection = towardsCamera(ray);
     glm::vec3 sum { 0.0f };
     for (uint32_t i = 0; i < numSamples; ++i) {
         glm::vec3 position, color;
         sampleParallelogramLight(state.sampler.next_2d(), light, position, color);
-        sum += contributionOfSample(state, position, color, ray, hitInfo);
+        sum += contributionOfSample(state, position, color, cameraDirection, ray, hitInfo);
     }
     return sum / static_cast<float>(numSamples);
 }
