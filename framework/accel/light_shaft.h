@@ -16,7 +16,7 @@ public:
     template <typename AreaLight> void aimAt(const AreaLight& light, uint32_t numRays)
     {
         m_light = &light;
-        m_stage = static_cast<float>(numRays) > costOfLooking ? Stage::Unseen : Stage::Unclear;
+        m_stage = static_cast<float>(numRays) >= costOfLooking ? Stage::Unseen : Stage::Unclear;
     }
 
     // That the ray meets nothing, as isOccludedByBVH would find. If false, it has to be traced.
@@ -28,7 +28,7 @@ public:
 private:
     enum class Stage { Unseen, Clear, Unclear };
 
-    static constexpr float costOfLooking = 3.0f; // in rays
+    static constexpr float costOfLooking = 4.0f; // in rays; fewer are traced as soon
 
     // Whether looking pays, by how it went so far: in rays that were saved, less what looking cost.
     class Account {
