@@ -19,6 +19,7 @@ namespace {
         std::string size = "96x96";
         std::string json;
         uint32_t numRepetitions = 25;
+        uint32_t numRounds = 8;
     };
 
     std::vector<std::string> namesOrAll(std::vector<std::string> names)
@@ -44,6 +45,31 @@ namespace {
         return request;
     }
 
+    void append(std::vector<double>& times, const std::vector<double>& more)
+    {
+        times.insert(times.end(), more.begin(), more.end());
+    }
+
+    void add(worker::SkipTimes& all, const worker::SkipTimes& round)
+    {
+        append(all.skipping, round.skipping);
+        append(all.without, round.without);
+        append(all.specialised, round.specialised);
+        all.isSame = all.isSame && round.isSame;
+        all.farthest = std::max(all.farthest, round.farthest);
+    }
+
+    // Of each scene. What disturbs a machine for seconds meets other scenes in the next round.
+    std::vector<worker::SkipTimes> measure(const std::vector<std::string>& scenes, const Options& options)
+    {
+        app::Renderer renderer(options.with);
+        std::vector<worker::SkipTimes> all(scenes.size(), { .isSame = true });
+        for (uint32_t round = 0; round < options.numRounds; ++round)
+            for (std::size_t i = 0; i < scenes.size(); ++i)
+                add(all[i], renderer.ask<worker::SkipTimes>("render.skip", requestFor(scenes[i], options)));
+        return all;
+    }
+
     // Ratios of the shortest times: whatever else the machine does only adds to a time.
     nlohmann::json rowFor(const std::string& scene, const worker::SkipTimes& times)
     {
@@ -58,30 +84,28 @@ namespace {
         fmt::print("{:<32} {:>8.2f} {:>12.3f} {:>10.3f}   {}, {:.1g}\n", row["name"].get<std::string>(),
             row["milliseconds"].get<double>(), row["over_without"].get<double>(), row["over_floor"].get<double>(),
             row["same"].get<bool>() ? "same" : "DIFFERENT", row["floor_differs_by"].get<double>());
-        std::fflush(stdout);
     }
 
-    bool measureScenes(const Options& options)
+    // Whether all pictures are the same.
+    bool report(const Options& options)
     {
-        app::Renderer renderer(options.with);
+        const std::vector<std::string> scenes = namesOrAll(options.scenes);
+        const std::vector<worker::SkipTimes> all = measure(scenes, options);
         nlohmann::json rows = nlohmann::json::array();
         fmt::print("{:<32} {:>8} {:>12} {:>10}   pictures\n", "scene", "ms", "over without", "over floor");
-        bool areSame = true;
-        for (const std::string& scene : namesOrAll(options.scenes)) {
-            const auto times = renderer.ask<worker::SkipTimes>("render.skip", requestFor(scene, options));
-            rows.push_back(rowFor(scene, times));
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            rows.push_back(rowFor(scenes[i], all[i]));
             print(rows.back());
-            areSame = areSame && times.isSame;
         }
         if (!options.json.empty())
             files::writeText(options.json, nlohmann::json { { "scenes", rows } }.dump(2) + "\n");
-        return areSame;
+        return std::ranges::all_of(all, &worker::SkipTimes::isSame);
     }
 
     int run(const Options& options)
     {
         try {
-            return measureScenes(options) ? app::Success : 1;
+            return report(options) ? app::Success : 1;
         } catch (const worker::Failure& failure) {
             fmt::print(stderr, "the code of {} failed: {}\n", options.with, failure.what());
             return app::SubmissionFailed;
@@ -98,7 +122,10 @@ Command declareSkip(CLI::App& cli)
     command.add_option("--with", options->with, "Whose code: student, reference, or a submission's folder")
         ->capture_default_str();
     command.add_option("--size", options->size, "Pixels, as WIDTHxHEIGHT")->capture_default_str();
-    command.add_option("--repetitions", options->numRepetitions, "Times that everybody has a turn")
+    command.add_option("--rounds", options->numRounds, "Times that all scenes are gone through")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command.add_option("--repetitions", options->numRepetitions, "Times that everybody has a turn in each")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     command.add_option("--json", options->json, "Write the figures to this file");
